@@ -1,0 +1,46 @@
+/// @file The one seam: reference::Contact and optimized::Contact have this constructor and this step.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "reference/contact/contact_step.h"
+#include "reference/host/motion.h"
+#include "reference/model/scene.h"
+
+namespace type21 {
+
+/// What the host, the harness and the command line see of a contact.
+class ContactMethod {
+  public:
+    virtual ~ContactMethod() = default;
+    virtual ContactStep step(const Motion& motion) = 0;
+};
+
+/// A node that penetrates at time 0, for `type21 check` and for Inacti 3.
+struct InitialPenetration {
+    int node = -1;         ///< index into Model::nodes
+    int segment = -1;      ///< rank in the main surface
+    double penetration = 0;  ///< p_g [length]
+    double distance = 0;   ///< delta [length]
+    Vec3 normal = Vec3::Zero();
+};
+
+namespace reference {
+
+class Contact final : public ContactMethod {
+  public:
+    Contact(const Scene& scene, int interface);
+    ~Contact() override;
+    ContactStep step(const Motion& motion) override;
+
+    /// The nodes that penetrate in the positions of the Model; nothing is remembered.
+    std::vector<InitialPenetration> initial_penetrations() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace reference
+}  // namespace type21

@@ -1,0 +1,19 @@
+/// @file The Decision: which piece of the tool a node touches, and how.
+#pragma once
+
+namespace type21 {
+
+/// What the retained piece is to the node (formulation section 3, step 5).
+enum class Kind { none, contact, proximity };
+
+/// The single retained impact of a node (section 4). It is a pure function of the state of the cycle.
+struct Decision {
+    Kind kind = Kind::none;
+    int segment = -1;  ///< rank in the main surface, from 0
+    int triangle = 0;  ///< sub-triangle k, 1..4
+    int side = 0;      ///< +1 outward of the sub-triangle's plane (or on it), -1 behind
+    double b = 0;      ///< weight of B, unclipped [-]
+    double c = 0;      ///< weight of C, unclipped [-]
+};
+
+}  // namespace type21

@@ -1,0 +1,73 @@
+/// @file The Model: what the deck means, every default resolved.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/deck/deck.h"
+#include "reference/model/as_built.h"
+#include "reference/model/interface.h"
+#include "reference/model/mesh.h"
+#include "reference/model/motion_conditions.h"
+#include "reference/model/units.h"
+
+namespace type21 {
+
+/// What /TH asks for: variables by their Radioss names and the objects by id (interfaces, rigid bodies) or index (nodes).
+struct HistoryRequest {
+    enum class Kind { interface, node, rigid_body };
+    Id id = 0;
+    std::string title;
+    Kind kind = Kind::interface;
+    std::vector<std::string> variables;  ///< expanded: DEF and groups such as D become DX, DY, DZ
+    std::vector<int> objects;            ///< index into Model::interfaces, nodes or rigid_bodies
+};
+
+/// The engine deck.
+struct EngineControl {
+    std::string run_name;
+    double end_time = 0;              ///< /RUN [time]
+    double history_interval = 0;      ///< /TFILE [time]; 0: every cycle
+    std::optional<double> first_step;  ///< /DTIX, first value [time]
+    std::optional<double> largest_step;  ///< /DTIX, second value [time]
+    bool nodal_step = false;          ///< /DT/NODA
+    double step_scale = 0.9;          ///< /DT/NODA scale factor [-]
+    double smallest_step = 0;         ///< /DT/NODA[/STOP]: the run stops below it [time]
+};
+
+struct Model {
+    std::string deck_path;
+    std::string run_name;
+    std::string title;
+    int version = 2025;  ///< of /BEGIN
+    UnitSystem units;    ///< work units: those of every number in the Model
+    AsBuilt as_built;
+
+    Nodes nodes;
+    std::vector<Material> materials;
+    std::vector<Property> properties;
+    std::vector<Part> parts;
+    std::vector<Shell> shells;
+    std::vector<Surface> surfaces;
+    std::vector<NodeGroup> groups;
+    std::vector<Function> functions;
+    std::vector<TimeSensor> sensors;
+    std::vector<RigidBody> rigid_bodies;
+    std::vector<BoundaryCondition> boundary_conditions;
+    std::vector<ImposedMotion> imposed_motions;
+    std::vector<InitialVelocity> initial_velocities;
+    std::vector<ConcentratedLoad> loads;
+    std::vector<AddedMass> added_masses;
+    std::vector<FrictionModel> friction_models;
+    std::vector<Interface> interfaces;
+    std::vector<HistoryRequest> histories;
+    EngineControl engine;
+
+    std::vector<double> nodal_mass;  ///< lumped shell mass and added masses, per node [mass]
+};
+
+/// Reads meaning into a deck. All problems are collected; the model is complete only when problems has no error.
+Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems);
+
+}  // namespace type21
