@@ -1,6 +1,7 @@
 /// @file The Model: what the deck means, every default resolved.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,9 @@ struct Model {
     std::string run_name;
     std::string title;
     int version = 2025;  ///< of /BEGIN
-    UnitSystem units;    ///< work units: those of every number in the Model
+    UnitSystem input_units;             ///< of /BEGIN: those in which the deck is written
+    UnitSystem units;                   ///< work units of /BEGIN: those of every number in the Model
+    std::map<Id, UnitSystem> unit_ids;  ///< /UNIT
     AsBuilt as_built;
 
     Nodes nodes;

@@ -1,0 +1,48 @@
+/// @file Reads fixed columns of a card: one place for blanks, overflow, rubbish, units and the messages about them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reference/deck/deck.h"
+#include "reference/model/mesh.h"
+#include "reference/model/units.h"
+
+namespace type21 {
+
+/// Columns count from 1 and are inclusive, as in the manual. Data lines count from 0. A line that the card does not have, and
+/// columns beyond the end of a short line, read as blank; blank is 0. A word that is not a number is an error and reads as 0.
+class CardReader {
+  public:
+    CardReader(const Deck& deck, const Card& card, const UnitSystem& from, const UnitSystem& to, Problems& problems);
+
+    size_t line_count() const;
+    bool has_line(size_t line) const;
+    bool blank(size_t line, int first, int last) const;
+    /// Line of the deck for messages and origins; the keyword's when the card has no such data line.
+    int line_number(size_t line) const;
+    std::string file() const;
+
+    std::string text(size_t line, int first, int last) const;
+    Id integer(size_t line, int first, int last, std::string_view field);
+    /// Converted from the card's units to the work units.
+    double real(size_t line, int first, int last, std::string_view field, Dimension dimension);
+    /// The number as written, without conversion.
+    double real_as_written(size_t line, int first, int last, std::string_view field);
+
+    const UnitSystem& from() const { return from_; }
+    const UnitSystem& to() const { return to_; }
+
+    /// line: data line of the card, or -1 for the keyword line.
+    void error(int line, std::string_view field, std::string value, std::string rule, std::string remedy);
+    void warning(int line, std::string_view field, std::string value, std::string rule, std::string remedy);
+
+  private:
+    const Deck& deck_;
+    const Card& card_;
+    const UnitSystem& from_;
+    const UnitSystem& to_;
+    Problems& problems_;
+};
+
+}  // namespace type21
