@@ -1,0 +1,95 @@
+#include "verification/record/run_deck.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "reference/contact/contact.h"
+#include "verification/record/recorder.h"
+#include "verification/record/result_folder.h"
+
+namespace type21 {
+namespace {
+
+std::vector<std::string> warnings_of(const Problems& problems) {
+    std::vector<std::string> out;
+    for (const Problem& problem : problems.list())
+        if (problem.severity == Severity::warning) out.push_back(to_text(problem));
+    return out;
+}
+
+}  // namespace
+
+PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine) {
+    PreparedDeck prepared;
+    Problems& problems = prepared.problems;
+    const AsBuilt departures = AsBuilt::parse(as_built, problems);
+    const Deck deck = read_deck(path, problems);
+    const bool readable = !(deck.starter.empty() && problems.has_errors());
+    if (readable && needs_engine && !deck.has_engine)
+        problems.add({Severity::error,
+                      {path, 0},
+                      "",
+                      "engine deck",
+                      "",
+                      "a run needs the engine deck beside the starter deck",
+                      "Write NAME_0001.rad next to NAME_0000.rad with at least /RUN and the end time"});
+    // Even a faulty deck is resolved, so that its author sees all problems in one go.
+    if (!readable) return prepared;
+    auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
+    if (!problems.has_errors()) prepared.scene = plan(std::move(model));
+    return prepared;
+}
+
+RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
+                     const std::function<void(const RunProgress&)>& progress) {
+    prepare_folder(folder);
+    const std::vector<std::string> warnings = warnings_of(problems);
+    const std::filesystem::path json = folder / "run.json";
+    RunSummary summary;
+    // Written first, so that the folder of a run that was killed says whose it is.
+    write_json(json, to_json(summary, scene, warnings));
+
+    Recorder recorder(scene, folder);
+    BalanceObserver balance(scene);
+    ContactCounter counter(scene);
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const double end_time = scene.model->engine.end_time;
+
+    const auto observe = [&](const CycleRecord& record) {
+        summary.observe(record);
+        balance.observe(record);
+        counter.observe(record);
+        recorder.observe(record);
+        if (!progress) return;
+        const double fraction = record.last ? 1.0 : (end_time > 0 ? std::min(record.time / end_time, 1.0) : 1.0);
+        const double left = fraction > 0 ? seconds() * (1 - fraction) / fraction : 0;
+        progress({fraction, record.cycle, record.time, left, record.last});
+    };
+    const auto finish = [&](RunSummary::State state, const std::string& reason) {
+        summary.state = state;
+        summary.reason = reason;
+        summary.wall_seconds = seconds();
+        summary.balance = balance.result();
+        summary.contact = counter.result();
+        write_json(json, to_json(summary, scene, warnings));
+    };
+    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
+    try {
+        march(scene, make, observe);
+    } catch (const RunStopped& stop) {
+        const bool diverged = stop.why == RunStopped::Why::diverged;
+        finish(diverged ? RunSummary::State::diverged : RunSummary::State::stopped, stop.what());
+        return summary;
+    } catch (const std::exception& error) {
+        finish(RunSummary::State::stopped, std::string("internal error: ") + error.what());
+        throw;
+    }
+    finish(RunSummary::State::completed, "");
+    return summary;
+}
+
+}  // namespace type21

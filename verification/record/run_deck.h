@@ -1,0 +1,38 @@
+/// @file The whole chain from a deck to a result folder: read, resolve, plan, march, record.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "reference/deck/problem.h"
+#include "reference/model/scene.h"
+#include "verification/record/run_summary.h"
+
+namespace type21 {
+
+/// A scene, or the problems that there is none for. Warnings are in problems either way.
+struct PreparedDeck {
+    Problems problems;
+    std::optional<Scene> scene;
+};
+
+/// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error
+PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine);
+
+struct RunProgress {
+    double fraction = 0;  ///< of the end time [-]
+    long cycle = 0;
+    double time = 0;       ///< [time]
+    double time_left = 0;  ///< estimate [s of wall time]
+    bool last = false;
+};
+
+/// Runs a prepared scene into a folder and writes run.json at the end, also when the run stops or something throws.
+/// @param progress  called every cycle; may be empty
+/// @throws FolderError before anything is computed when the folder cannot be used
+RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
+                     const std::function<void(const RunProgress&)>& progress);
+
+}  // namespace type21
