@@ -1,0 +1,72 @@
+/// @file Look-ups by id.
+#include "reference/model/interface_links.h"
+
+#include <fmt/format.h>
+
+namespace type21 {
+namespace {
+
+/// Index of the object with this id, -1 if there is none.
+template <class Object>
+int index_of(const std::vector<Object>& objects, Id id) {
+    for (size_t index = 0; index < objects.size(); ++index)
+        if (objects[index].id == id) return static_cast<int>(index);
+    return -1;
+}
+
+int surface(const InterfaceJudge& judge, std::string_view field, Id id) {
+    if (id == 0) {
+        judge.error(field, "names the surface and must be given", "Give the id of a /SURF");
+        return -1;
+    }
+    const int found = index_of(judge.model.surfaces, id);
+    if (found < 0) {
+        judge.error(field, fmt::format("there is no surface {}", id), "Give the id of a /SURF of the deck");
+    } else if (judge.model.surfaces[static_cast<size_t>(found)].segments.empty()) {
+        judge.error(field, "the surface has no segments", "Check the parts, surfaces or segments that it is made of");
+    }
+    return found;
+}
+
+template <class Object>
+int optional_link(const InterfaceJudge& judge, std::string_view field, Id id, const std::vector<Object>& objects,
+                  std::string_view keyword) {
+    if (id == 0) return -1;
+    const int found = index_of(objects, id);
+    if (found < 0)
+        judge.error(field, fmt::format("there is no {} with this id", keyword),
+                    fmt::format("Give the id of a {} of the deck, or 0", keyword));
+    return found;
+}
+
+}  // namespace
+
+void link_interface(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    it.secondary_surface = surface(judge, "surf_IDs", it.surf_secondary);
+    it.main_surface = surface(judge, "surf_IDm", it.surf_main);
+    it.sensor = optional_link(judge, "sens_ID", it.sens_id, judge.model.sensors, "/SENSOR/TIME");
+    it.friction_model = optional_link(judge, "fric_ID", it.fric_id, judge.model.friction_models, "/FRICTION");
+    it.tool = index_of(judge.model.rigid_bodies, it.idrby);
+    if (it.tool < 0)
+        judge.error("IDrby",
+                    it.idrby == 0 ? "names the tool's rigid body and must be given" : "there is no /RBODY with this id",
+                    "Give the id of the /RBODY that holds every main node");
+}
+
+void link_reference_interface(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    if (it.idref == 0) return;
+    const int found = index_of(judge.model.interfaces, it.idref);
+    if (found < 0) {
+        judge.error("IDref", "there is no /INTER/TYPE21 with this id",
+                    "Give the id of another TYPE21 interface, or 0 for absolute damping");
+    } else if (it.idref == it.id) {
+        judge.error("IDref", "an interface is not its own reference",
+                    "Give the id of another TYPE21 interface, or 0 for absolute damping");
+    } else {
+        it.reference_interface = found;
+    }
+}
+
+}  // namespace type21

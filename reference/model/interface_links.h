@@ -1,0 +1,15 @@
+/// @file The ids of a card turned into indices of the Model.
+#pragma once
+
+#include "reference/model/interface_judge.h"
+
+namespace type21 {
+
+/// Surfaces, rigid body, sensor and friction model; an id that does not exist is an error. IDref waits until all are
+/// read.
+void link_interface(const InterfaceJudge& judge);
+
+/// IDref: another TYPE21 interface.
+void link_reference_interface(const InterfaceJudge& judge);
+
+}  // namespace type21

@@ -1,0 +1,11 @@
+/// @file What the card may say: ranges, effects that this version does not have, fields that nobody uses.
+#pragma once
+
+#include "reference/model/interface_judge.h"
+
+namespace type21 {
+
+/// Judges the card as written; changes nothing. Every problem is reported. Source: page; formulation 2, 6 to 9.
+void check_interface_card(const InterfaceJudge& judge);
+
+}  // namespace type21

@@ -1,0 +1,146 @@
+/// @file Gaps of time 0.
+#include "reference/model/nodal_gaps.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "reference/model/sourced_rules.h"
+
+namespace type21 {
+namespace {
+
+size_t at(int index) {
+    return static_cast<size_t>(index);
+}
+
+bool is_void(const Model& model, const Shell& shell) {
+    const int material = model.parts[at(shell.part)].material;
+    return material < 0 || model.materials[at(material)].law == MaterialLaw::none;
+}
+
+const std::vector<Segment>& secondary_segments(const InterfaceJudge& judge) {
+    return judge.model.surfaces[at(judge.interface.secondary_surface)].segments;
+}
+
+/// Contact thickness of the part of a segment's element.
+double part_thickness(const Model& model, const Segment& segment) {
+    return segment.shell < 0 ? 0.0 : model.parts[at(model.shells[at(segment.shell)].part)].contact_thickness;
+}
+
+std::vector<double> picked(const std::vector<double>& of_all_nodes, const std::vector<int>& nodes) {
+    std::vector<double> values(nodes.size());
+    std::transform(nodes.begin(), nodes.end(), values.begin(), [&](int node) { return of_all_nodes[at(node)]; });
+    return values;
+}
+
+/// D29: each corner is compared with the model's node of c-th lowest id (c the corner) in place of its own earlier
+/// value.
+std::vector<double> contact_thickness_d29(const Model& model, const Surface& secondary) {
+    std::vector<double> thickness(model.nodes.id.size(), 0.0);  // nodes are sorted by id
+    for (const Segment& segment : secondary.segments)
+        for (size_t corner = 0; corner < 4; ++corner) {
+            const double lowest = corner < thickness.size() ? thickness[corner] : 0.0;
+            thickness[at(segment.node[corner])] = std::max(lowest, part_thickness(model, segment));
+        }
+    return thickness;
+}
+
+/// Unweighted mean thickness of the shells of the secondary surface, 0 without any.
+double mean_shell_thickness(const InterfaceJudge& judge) {
+    double sum = 0;
+    int count = 0;
+    for (const Segment& segment : secondary_segments(judge)) {
+        if (segment.shell < 0) continue;
+        sum += judge.model.shells[at(segment.shell)].thickness;
+        ++count;
+    }
+    return count == 0 ? 0.0 : sum / count;
+}
+
+/// Gapmin of Igap 0; half of a mean thickness if it is not given.
+void resolve_constant_gap(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    if (it.gapmin != 0) return;
+    if (judge.model.as_built.has(Departure::D19)) {
+        const auto& t0 = it.secondary.thickness;
+        const double mean = std::accumulate(t0.begin(), t0.end(), 0.0) / static_cast<double>(t0.size());
+        take_default(it.gapmin, 0.5 * mean,
+                     "D19: half of the mean over the secondary nodes of the thickest shell at each");
+    } else {
+        take_default(it.gapmin, 0.5 * mean_shell_thickness(judge),
+                     "half of the mean thickness of the secondary shells");
+    }
+    if (it.gapmin == 0)
+        judge.warning("Gapmin",
+                      "Igap 0 without Gapmin takes half of the mean thickness of the secondary shells, and they have "
+                      "none: the gap is 0",
+                      "Give Gapmin");
+}
+
+void resolve_depth(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    if (it.depth == 0) {
+        take_default(it.depth, std::max(it.largest_gap, it.shortest_edge),
+                     "0 means the larger of the largest gap and the shortest secondary edge");
+    } else if (it.depth < it.largest_gap) {
+        take_by_rule(it.depth, it.largest_gap, fmt::format("raised from {} to the largest gap", it.depth.value));
+    }
+    if (it.depth > it.shortest_edge)
+        judge.warning(
+            "DEPTH",
+            fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one element",
+                        judge.length(it.shortest_edge)),
+            "Give a smaller DEPTH unless nodes really get that deep");
+}
+
+}  // namespace
+
+std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& nodes) {
+    std::vector<double> largest(model.nodes.id.size(), 0.0);
+    for (const Shell& shell : model.shells) {
+        if (shell.part < 0 || is_void(model, shell)) continue;
+        for (const int node : shell.node)
+            largest[at(node)] = std::max(largest[at(node)], shell.thickness);
+    }
+    return picked(largest, nodes);
+}
+
+std::vector<double> contact_thickness(const Model& model, const Surface& secondary, const std::vector<int>& nodes) {
+    if (model.as_built.has(Departure::D29)) return picked(contact_thickness_d29(model, secondary), nodes);
+    std::vector<double> largest(model.nodes.id.size(), 0.0);
+    for (const Segment& segment : secondary.segments)
+        for (const int node : segment.node)
+            largest[at(node)] = std::max(largest[at(node)], part_thickness(model, segment));
+    return picked(largest, nodes);
+}
+
+void resolve_gaps(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    SecondarySide& side = it.secondary;
+    const auto count = at(side.size());
+    if (it.igap == 0) {
+        resolve_constant_gap(judge);
+        side.gap.assign(count, it.gapmin);
+        side.search_gap = side.gap;
+        it.largest_gap = it.smallest_gap_raw = it.gapmin;
+    } else {
+        std::vector<double> raw(count);
+        for (size_t i = 0; i < count; ++i) {
+            const double thickness = side.contact_thickness[i] != 0 ? side.contact_thickness[i] : side.thickness[i];
+            raw[i] = 0.5 * it.fscalegap * thickness;
+            side.gap.push_back(std::max(it.gapmin.value, std::min(raw[i], it.gapmax.value)));
+        }
+        it.largest_gap = *std::max_element(side.gap.begin(), side.gap.end());
+        it.smallest_gap_raw = *std::min_element(raw.begin(), raw.end());
+        side.search_gap = side.gap;
+        if (judge.model.as_built.has(Departure::D33))
+            for (size_t i = 0; i < count; ++i)
+                side.search_gap[i] = std::max(std::min(raw[i], it.gapmax.value), it.largest_gap);
+    }
+    resolve_depth(judge);
+}
+
+}  // namespace type21

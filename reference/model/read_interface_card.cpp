@@ -1,0 +1,153 @@
+/// @file Line count, fields by their table, and a word on columns that nobody reads.
+#include "reference/model/read_interface_card.h"
+
+#include <algorithm>
+#include <bitset>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reference/model/interface_fields.h"
+
+namespace type21 {
+namespace {
+
+constexpr int card_lines = 12;
+constexpr int columns = 100;
+constexpr int oldest_version = 120;
+constexpr int last_version_with_multimp = 2016;  ///< the layout of 2017 has its columns blank
+
+bool has_twelve_lines(CardReader& card) {
+    const auto lines = static_cast<int>(card.line_count()) - 1;
+    if (lines < card_lines) {
+        card.error(-1, "", fmt::format("{} data lines after the title", std::max(lines, 0)),
+                   "the card has always twelve data lines",
+                   "Keep the lines whose fields are all unused as blank lines");
+        return false;
+    }
+    for (int extra = card_lines + 1; extra <= lines; ++extra) {
+        if (card.blank(static_cast<size_t>(extra), 1, columns)) continue;
+        card.error(extra, "", card.text(static_cast<size_t>(extra), 1, columns),
+                   fmt::format("the card ends after twelve data lines; this is line {}", extra),
+                   "Take the line that is too many out");
+        return false;
+    }
+    return true;
+}
+
+int flag(CardReader& card, const InterfaceField& field) {
+    const Id value = card.integer(static_cast<size_t>(data_line(field.line)), field.first, field.last, field.name);
+    // A flag that does not fit is out of every range; saturated it stays out.
+    return static_cast<int>(std::clamp<Id>(value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
+/// Digits for X, Y, Z in columns 8, 9, 10. @return 4 x + 2 y + z
+int release_code(CardReader& card, const InterfaceField& field) {
+    const int line = data_line(field.line);
+    int code = 0;
+    bool good = card.blank(static_cast<size_t>(line), 1, field.first - 1);
+    for (int column = field.first; column <= field.last; ++column) {
+        const std::string digit = card.text(static_cast<size_t>(line), column, column);
+        good = good && (digit.empty() || digit == " " || digit == "0" || digit == "1");
+        code = 2 * code + (digit == "1" ? 1 : 0);
+    }
+    if (!good)
+        card.error(line, field.name, card.text(static_cast<size_t>(line), 1, field.last),
+                   "three digits 0 or 1 for X, Y, Z in columns 8, 9, 10", "Write for example 001 there to release Z");
+    return good ? code : 0;
+}
+
+struct Reading {
+    CardReader& card;
+    const InterfaceField& field;
+    const Interface& interface;
+
+    void operator()(Sourced<int>& value) const {
+        value.value = field.name == "IBC" ? release_code(card, field) : flag(card, field);
+    }
+    void operator()(Sourced<Id>& value) const {
+        value.value = card.integer(static_cast<size_t>(data_line(field.line)), field.first, field.last, field.name);
+    }
+    void operator()(Sourced<double>& value) const {
+        value.value = card.real(static_cast<size_t>(data_line(field.line)), field.first, field.last, field.name,
+                                dimension(field, interface));
+    }
+};
+
+void read_field(CardReader& card, const InterfaceField& field, int version, Interface& interface) {
+    const auto line = static_cast<size_t>(data_line(field.line));
+    const bool blank = card.blank(line, field.first, field.last);
+    Origin origin{Origin::Kind::deck, card.line_number(line), ""};
+    if (version < field.since) {
+        origin = {Origin::Kind::absent, 0, fmt::format("read from version {} on", field.since)};
+        if (!blank)
+            card.warning(data_line(field.line), field.name, card.text(line, field.first, field.last),
+                         fmt::format("is ignored: version {} of /BEGIN does not have it, it is read from version {} on",
+                                     version, field.since),
+                         "Raise the version of /BEGIN or leave the columns blank");
+    } else {
+        with_field(interface, field, Reading{card, field, interface});
+        if (blank) origin = {Origin::Kind::fallback, card.line_number(line), "blank means 0"};
+    }
+    with_field(interface, field, [&](auto& value) { value.origin = origin; });
+}
+
+void note_multimp(CardReader& card, int version) {
+    const auto line = static_cast<size_t>(data_line(1));
+    if (version > last_version_with_multimp || card.blank(line, 51, 60)) return;
+    card.warning(data_line(1), "Multimp", card.text(line, 51, 60),
+                 "has no effect: room for candidates is found by itself", "Leave columns 51 to 60 blank");
+}
+
+/// A number beside its field would be lost without a word: mostly a line that is shifted.
+void note_unread_columns(CardReader& card, int version) {
+    for (int line = 1; line <= card_lines; ++line) {
+        std::bitset<columns + 2> read;
+        for (const InterfaceField& field : interface_fields())
+            if (field.line == line)
+                for (int column = field.first; column <= field.last; ++column)
+                    read.set(static_cast<size_t>(column));
+        if (line == 1 && version <= last_version_with_multimp)
+            for (size_t column = 51; column <= 60; ++column)
+                read.set(column);
+        if (line == 5)  // columns 1 to 7 are judged with IBC
+            for (size_t column = 1; column <= 7; ++column)
+                read.set(column);
+        for (int first = 1; first <= columns; ++first) {
+            if (read.test(static_cast<size_t>(first))) continue;
+            int last = first;
+            while (last < columns && !read.test(static_cast<size_t>(last) + 1))
+                ++last;
+            if (!card.blank(static_cast<size_t>(data_line(line)), first, last))
+                card.warning(data_line(line), fmt::format("columns {} to {}", first, last),
+                             card.text(static_cast<size_t>(data_line(line)), first, last),
+                             fmt::format("are ignored: line {} of the card has no field there", line),
+                             "Check that the numbers of the line stand in their columns");
+            first = last;
+        }
+    }
+}
+
+}  // namespace
+
+bool read_interface_card(CardReader& card, int version, Interface& interface) {
+    if (version < oldest_version) {
+        card.error(-1, "", fmt::format("version {}", version),
+                   "decks older than version 120 have another /INTER/TYPE21",
+                   "Convert the deck to version 120 or newer");
+        return false;
+    }
+    if (!has_twelve_lines(card)) return false;
+    // The dimension of some reals hangs on flags that stand behind them: integers first.
+    for (const bool reals : {false, true})
+        for (const InterfaceField& field : interface_fields())
+            if (with_field(interface, field, [](auto& value) {
+                    return std::is_same_v<std::decay_t<decltype(value.value)>, double>;
+                }) == reals)
+                read_field(card, field, version, interface);
+    note_multimp(card, version);
+    note_unread_columns(card, version);
+    return true;
+}
+
+}  // namespace type21
