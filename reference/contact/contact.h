@@ -10,20 +10,23 @@
 
 namespace type21 {
 
+/// A node that penetrates at time 0, for `type21 check` and for Inacti 3.
+struct InitialPenetration {
+    int node = -1;           ///< index into Model::nodes
+    int segment = -1;        ///< rank in the main surface
+    double penetration = 0;  ///< p_g [length]
+    double distance = 0;     ///< delta [length]
+    Vec3 normal = Vec3::Zero();
+};
+
 /// What the host, the harness and the command line see of a contact.
 class ContactMethod {
   public:
     virtual ~ContactMethod() = default;
     virtual ContactStep step(const Motion& motion) = 0;
-};
-
-/// A node that penetrates at time 0, for `type21 check` and for Inacti 3.
-struct InitialPenetration {
-    int node = -1;         ///< index into Model::nodes
-    int segment = -1;      ///< rank in the main surface
-    double penetration = 0;  ///< p_g [length]
-    double distance = 0;   ///< delta [length]
-    Vec3 normal = Vec3::Zero();
+    /// The nodes that penetrate at time 0 with the nodes at `position` (indexed like Model::nodes); nothing is
+    /// remembered.
+    virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
 };
 
 namespace reference {
@@ -34,7 +37,8 @@ class Contact final : public ContactMethod {
     ~Contact() override;
     ContactStep step(const Motion& motion) override;
 
-    /// The nodes that penetrate in the positions of the Model; nothing is remembered.
+    std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
+    /// In the positions of the Model.
     std::vector<InitialPenetration> initial_penetrations() const;
 
   private:

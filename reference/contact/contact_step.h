@@ -16,50 +16,52 @@ enum class Status { open, stick, slip };
 struct NodeContact {
     Decision decision;
     Status status = Status::open;
-    double gap = 0;                  ///< g [length]
-    double distance = 0;             ///< delta, signed, along the normal [length]
-    double geometric_penetration = 0;  ///< p_g = max(0, g - delta) [length]
-    double offset = 0;               ///< P0 [length]
-    double penetration = 0;          ///< p = max(0, p_g - P0) [length]
-    double stiffness = 0;            ///< k; 0 where section 6 says so [force/length]
-    double damping = 0;              ///< C [force time/length]
-    double elastic_force = 0;        ///< F, >= 0 [force]
-    double normal_force = 0;         ///< F_n = F - C v_n, positive pushes the node outward [force]
-    Vec3 normal = Vec3::Zero();      ///< nu, outward [-]
-    Vec3 point = Vec3::Zero();       ///< X, the contact point [length]
-    Vec3 friction = Vec3::Zero();    ///< F_t, on the tool [force]
-    Vec3 force = Vec3::Zero();       ///< on the node: F_n nu - F_t [force]
-    double step_stiffness = 0;       ///< k + C/dt1, for the time step [force/length]
+    double gap = 0;                         ///< g [length]
+    double distance = 0;                    ///< delta, signed, along the normal [length]
+    double geometric_penetration = 0;       ///< p_g = max(0, g - delta) [length]
+    double offset = 0;                      ///< P0 [length]
+    double penetration = 0;                 ///< p = max(0, p_g - P0) [length]
+    double stiffness = 0;                   ///< k; 0 where section 6 says so [force/length]
+    double damping = 0;                     ///< C [force time/length]
+    double elastic_force = 0;               ///< F, >= 0 [force]
+    double normal_force = 0;                ///< F_n = F - C v_n, positive pushes the node outward [force]
+    Vec3 normal = Vec3::Zero();             ///< nu, outward [-]
+    Vec3 point = Vec3::Zero();              ///< X, the contact point [length]
+    Vec3 relative_velocity = Vec3::Zero();  ///< v of the node relative to the tool at X [velocity]
+    Vec3 friction = Vec3::Zero();           ///< F_t, on the tool [force]
+    Vec3 force = Vec3::Zero();              ///< on the node: F_n nu - F_t [force]
+    double step_stiffness = 0;              ///< k + C/dt1, for the time step [force/length]
 };
 
 /// Sums over the nodes of one cycle; forces on the tool. Each is the exact sum rounded once, so no order matters.
 struct ContactSums {
-    Vec3 normal = Vec3::Zero();        ///< of -F_n nu [force]
-    Vec3 tangential = Vec3::Zero();    ///< of F_t [force]
-    Vec3 abs_normal = Vec3::Zero();    ///< of |components of F_n nu| [force]
-    double signed_normal = 0;          ///< of -F_n [force]
-    Vec3 abs_total = Vec3::Zero();     ///< of |components of the force on the tool| [force]
-    double norm_total = 0;             ///< of the norm of the force on the tool [force]
-    double elastic_energy = 0;         ///< of this cycle [energy]
-    double friction_work = 0;          ///< of dt1 <v, F_t> in this cycle [energy]
-    double damping_work = 0;           ///< of C v_n^2 dt1 in this cycle [energy]
-    double friction_heat = 0;          ///< of Fheat q in this cycle, QFRIC's share [energy]
+    Vec3 normal = Vec3::Zero();      ///< of -F_n nu [force]
+    Vec3 tangential = Vec3::Zero();  ///< of F_t [force]
+    Vec3 abs_normal = Vec3::Zero();  ///< of |components of F_n nu| [force]
+    double signed_normal = 0;        ///< of -F_n [force]
+    Vec3 abs_total = Vec3::Zero();   ///< of |components of the force on the tool| [force]
+    double norm_total = 0;           ///< of the norm of the force on the tool [force]
+    double elastic_energy = 0;       ///< of this cycle [energy]
+    double friction_work = 0;        ///< of dt1 <v, F_t> in this cycle [energy]
+    double damping_work = 0;         ///< of C v_n^2 dt1 in this cycle [energy]
+    double friction_heat = 0;        ///< of Fheat q in this cycle, QFRIC's share [energy]
 };
 
 /// What the contact gives to its tool.
 struct ToolLoad {
-    Vec3 force = Vec3::Zero();        ///< contact force and tool damping [force]
-    Vec3 moment = Vec3::Zero();       ///< about x_G [moment]
-    double damping_stiffness = 0;     ///< sum of k (of k + C/dt1 with D13), for tool damping [force/length]
-    double damping_rotation = 0;      ///< sum of k |X - x_G|^2 (likewise) [moment]
-    double step_stiffness = 0;        ///< sum of k + C/dt1, for the time step [force/length]
-    double step_rotation = 0;         ///< sum of (k + C/dt1) |X - x_G|^2 [moment]
+    Vec3 force = Vec3::Zero();           ///< of the contact: sum of -F_n nu + F_t [force]
+    Vec3 moment = Vec3::Zero();          ///< of the contact about x_G: sum of (X - x_G) x (-F_n nu + F_t) [moment]
+    Vec3 damping_force = Vec3::Zero();   ///< of the tool damping; its opposite acts on the tool of IDref [force]
+    Vec3 damping_moment = Vec3::Zero();  ///< likewise [moment]
+    double damping = 0;                  ///< C of the tool damping [force time/length]
+    double step_stiffness = 0;           ///< sum of k + C/dt1, for the time step [force/length]
+    double step_rotation = 0;            ///< sum of (k + C/dt1) |X - x_G|^2 [moment]
 };
 
 /// Invn: the first impact came from behind.
 struct InvertedNormal {
-    int node = -1;     ///< index into Model::nodes
-    int segment = -1;  ///< rank in the main surface
+    int node = -1;           ///< index into Model::nodes
+    int segment = -1;        ///< rank in the main surface
     double penetration = 0;  ///< p_g [length]
 };
 
@@ -68,7 +70,7 @@ struct ContactStep {
     std::vector<NodeContact> nodes;  ///< like SecondarySide::node; empty while inactive
     ContactSums sums;
     ToolLoad tool;
-    std::vector<int> released;       ///< nodes (Model index) whose IBC translations are free from now on
+    std::vector<int> released;  ///< nodes (Model index) whose IBC translations are free from now on
     std::vector<InvertedNormal> inverted;
 };
 

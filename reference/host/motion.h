@@ -18,9 +18,9 @@ struct ToolMotion {
 
 /// State at cycle n (formulation section 11). The spans are indexed like Model::nodes and must outlive the step.
 struct Motion {
-    double time = 0;           ///< t_n, the accumulated sum of steps [time]
-    double step = 0;           ///< dt1 = t_n - t_{n-1}, 0 in the first cycle [time]
-    double friction_step = 0;  ///< step of the friction increment: dt1, or another with D25 [time]
+    double time = 0;                 ///< t_n, the accumulated sum of steps [time]
+    double step = 0;                 ///< dt1 = t_n - t_{n-1}, 0 in the first cycle [time]
+    double friction_step = 0;        ///< step of the friction increment: dt1, or another with D25 [time]
     std::span<const Vec3> position;  ///< x_n [length]
     std::span<const Vec3> velocity;  ///< v_{n-1/2} [velocity]
     std::vector<ToolMotion> tools;   ///< one for each rigid body of the Model

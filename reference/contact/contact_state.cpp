@@ -1,0 +1,137 @@
+#include "reference/contact/contact_state.h"
+
+#include <algorithm>
+
+#include "reference/contact/reach_box.h"
+#include "reference/contact/stiffness.h"
+
+namespace type21::reference {
+
+namespace {
+
+std::vector<NodeConstants> node_constants(const Model& model, const Interface& card) {
+    const SecondarySide& side = card.secondary;
+    std::vector<NodeConstants> nodes(static_cast<size_t>(side.size()));
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        nodes[i].gap = side.gap[i];
+        nodes[i].search_gap = side.search_gap[i];
+        nodes[i].stiffness = nodal_stiffness(card, side.element_stiffness[i], model.as_built);
+        nodes[i].friction_stiffness =
+            friction_stiffness(card, nodes[i].stiffness, side.element_stiffness[i], model.as_built);
+        nodes[i].mass = side.mass[i];
+    }
+    // Part of a node, for the pairs of /FRICTION: that of the first segment of the surface that holds it.
+    const auto& segments = model.surfaces[static_cast<size_t>(card.secondary_surface)].segments;
+    for (const Segment& segment : segments) {
+        if (segment.shell < 0) continue;
+        for (const int node : segment.node) {
+            const auto at = std::lower_bound(side.node.begin(), side.node.end(), node) - side.node.begin();
+            int& part = nodes[static_cast<size_t>(at)].part;
+            if (part < 0) part = model.shells[static_cast<size_t>(segment.shell)].part;
+        }
+    }
+    return nodes;
+}
+
+double farthest_reach(const Interface& card) {
+    double reach = card.depth;
+    for (const double gap : card.secondary.search_gap)
+        reach = std::max(reach, gap);
+    return reach;
+}
+
+/// The surface moved to where the tool is: as built forms the contact geometry in global axes.
+SubTriangle<double> in_global_axes(SegmentShape<double> shape, int k, const ToolMotion& pose) {
+    for (Vec3& node : shape.node)
+        node = pose.position + pose.rotation * node;
+    for (Vec3& normal : shape.normal)
+        normal = pose.rotation * normal;
+    return sub_triangle(shape, k);
+}
+
+}  // namespace
+
+Contact::State::State(const Scene& scene_, int interface_)
+    : scene(scene_),
+      model(scene_.model),
+      interface(interface_),
+      nodes(node_constants(*model, card())),
+      surface(*model, card()),
+      candidates(surface, farthest_reach(card())),
+      box_axes(reach_box_axes(tool(), card().tool_rotates)),
+      inacti(card().inacti),
+      offsets(nodes.size()) {
+    if (has(Effect::coulomb)) friction.assign(nodes.size(), Vec3::Zero());
+    if (has(Effect::release_bcs)) released.assign(nodes.size(), false);
+}
+
+Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
+    const NodeConstants& node = nodes[static_cast<size_t>(i)];
+    std::vector<int> near = candidates.at(y);
+    if (as_built(Departure::D34)) {
+        std::erase_if(
+            near, [&](int s) { return !in_reach_box(y, surface.shape(s), box_axes, node.search_gap, card().depth); });
+    }
+    ProjectionLimits<double> limits;
+    limits.lift_leaning = as_built(Departure::D35);
+    const Reach<double> reach{node.search_gap, card().depth, 0.0};
+    const auto impact = retained_impact<double>(
+        y, near, [&](int s) { return surface.shape(s); }, reach, limits);
+    Touch touch;
+    if (impact.kind == Kind::none) return touch;
+    const auto& weights = impact.projection.weights;
+    touch.decision = {impact.kind, impact.segment, impact.triangle, impact.side, weights.b, weights.c};
+    if (as_built(Departure::D12)) {
+        touch.geometry = contact_geometry_as_built(
+            position, in_global_axes(surface.shape(impact.segment), impact.triangle, pose), weights);
+        touch.geometry.normal = pose.rotation.transpose() * touch.geometry.normal;
+        touch.geometry.point = pose.rotation.transpose() * (touch.geometry.point - pose.position);
+    } else {
+        touch.geometry =
+            contact_geometry(sub_triangle(surface.shape(impact.segment), impact.triangle), impact.projection);
+    }
+    touch.penetration = geometric_penetration(node.gap, touch.geometry.distance, y);
+    return touch;
+}
+
+Touch Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
+    if (!as_built(Departure::D31)) return touch(i, y, position, pose);
+    const NodeConstants& node = nodes[static_cast<size_t>(i)];
+    ProjectionLimits<double> limits{-0.05, 1.05, as_built(Departure::D35)};
+    const Reach<double> reach{node.gap, card().depth, 0.0};
+    const std::vector<int> near = candidates.at(y);
+    const auto impact = retained_impact<double>(
+        y, near, [&](int s) { return surface.shape(s); }, reach, limits);
+    Touch touch;
+    if (impact.kind == Kind::none) return touch;
+    const auto& weights = impact.projection.weights;
+    touch.decision = {impact.kind, impact.segment, impact.triangle, impact.side, weights.b, weights.c};
+    const auto triangle = sub_triangle(surface.shape(impact.segment), impact.triangle);
+    const double a = 1.0 - weights.b - weights.c;
+    touch.geometry.point = triangle.b * weights.b + triangle.c * weights.c + triangle.a * a;
+    touch.geometry.normal =
+        (triangle.normal_b * weights.b + triangle.normal_c * weights.c + triangle.normal_a * a).normalized();
+    touch.geometry.distance = (y - touch.geometry.point).dot(touch.geometry.normal);
+    touch.penetration = geometric_penetration(node.gap, touch.geometry.distance, y);
+    return touch;
+}
+
+void Contact::State::start(const Motion& motion) {
+    started = true;
+    const ToolMotion& pose = motion.tools[static_cast<size_t>(card().tool)];
+    if (motion.time > 0 || (inacti != 1 && inacti != 5 && inacti != 6)) return;
+    bool any = false;
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+        const auto n = static_cast<size_t>(i);
+        const Vec3& position = motion.position[static_cast<size_t>(card().secondary.node[n])];
+        const Vec3 y = pose.rotation.transpose() * (position - pose.position);
+        const double penetration = first_touch(i, y, position, pose).penetration;
+        if (penetration <= 0) continue;
+        any = true;
+        offsets[n].offset = initial_offset(inacti, penetration, nodes[n].gap, card().depth);
+        if (inacti == 1) nodes[n].stiffness = nodes[n].friction_stiffness = 0;
+    }
+    if (!any && as_built(Departure::D26)) inacti = 0;
+}
+
+}  // namespace type21::reference

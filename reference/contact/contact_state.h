@@ -1,0 +1,63 @@
+/// @file What a reference contact holds: constants of time 0, and the history of the effects that the scene asks for.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "reference/contact/candidates.h"
+#include "reference/contact/contact.h"
+#include "reference/contact/contact_geometry.h"
+#include "reference/contact/penetration_offset.h"
+#include "reference/contact/tool_surface.h"
+
+namespace type21::reference {
+
+/// Constants of one secondary node.
+struct NodeConstants {
+    double gap = 0;                 ///< g [length]
+    double search_gap = 0;          ///< gap that decides contact: g, larger with D33 [length]
+    double stiffness = 0;           ///< k; 0 once Inacti 1 has switched the node off [force/length]
+    double friction_stiffness = 0;  ///< k of the friction increment [force/length]
+    double mass = 0;                ///< m [mass]
+    int part = -1;                  ///< index into Model::parts
+};
+
+/// The retained impact of a node with its geometry, in the tool frame.
+struct Touch {
+    Decision decision;
+    ContactGeometry geometry;
+    double penetration = 0;  ///< p_g [length]
+};
+
+struct Contact::State {
+    State(const Scene& scene, int interface);
+
+    const Interface& card() const { return model->interfaces[static_cast<size_t>(interface)]; }
+    const RigidBody& tool() const { return model->rigid_bodies[static_cast<size_t>(card().tool)]; }
+    bool as_built(Departure departure) const { return model->as_built.has(departure); }
+    bool has(Effect effect) const { return scene.has(interface, effect); }
+
+    /// The retained impact of secondary node i at tool-frame position y.
+    Touch touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
+    /// The impact at time 0 that decides Inacti; with D31 by another projection than every cycle.
+    Touch first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
+    /// Fills the history of time 0 according to Inacti.
+    void start(const Motion& motion);
+    NodeContact node_step(int i, const Motion& motion, ContactStep& step);
+
+    Scene scene;
+    std::shared_ptr<const Model> model;
+    int interface;
+    std::vector<NodeConstants> nodes;
+    ToolSurface surface;
+    Candidates candidates;
+    Mat3 box_axes;
+
+    bool started = false;
+    int inacti = 0;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0
+    std::vector<PenetrationHistory> offsets;
+    std::vector<Vec3> friction;  ///< F_t; empty without Coulomb friction
+    std::vector<bool> released;  ///< empty without IBC
+};
+
+}  // namespace type21::reference

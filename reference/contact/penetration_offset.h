@@ -1,0 +1,48 @@
+/// @file The penetration offset P0: what of a penetration is forgiven, and for how long (page comment 9, formulation
+/// section 6).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace type21::reference {
+
+/// What a node remembers of its impact.
+struct PenetrationHistory {
+    double offset = 0;  ///< P0 [length]
+    int cycles = 0;     ///< consecutive cycles retained in contact with p_g > 0
+};
+
+/// P0 at time 0: Inacti 5 forgives the whole penetration, 6 a little more, all others nothing.
+///   5: P0 = p_g      6: P0 = p_g + 0.05 (g + DEPTH - p_g)
+/// @param penetration  p_g at time 0 [length]
+/// @param gap          g [length]
+/// @param depth        DEPTH [length]
+inline double initial_offset(int inacti, double penetration, double gap, double depth) {
+    if (penetration <= 0) return 0;
+    if (inacti == 5) return penetration;
+    if (inacti == 6) return penetration + 0.05 * (gap + depth - penetration);
+    return 0;
+}
+
+/// P0 of the next cycle: it follows a decreasing penetration by 5 % a cycle and never grows.
+///   P0 <- min(P0, 0.95 P0 + 0.05 p_g),   with p_g + 0.05 |g - p_g| in place of p_g for Inacti 6
+inline double relaxed_offset(double offset, int inacti, double penetration, double gap) {
+    const double target = inacti == 6 ? penetration + 0.05 * std::abs(gap - penetration) : penetration;
+    return std::min(offset, 0.95 * offset + 0.05 * target);
+}
+
+/// p = max(0, p_g - P0) [length]
+inline double effective_penetration(double penetration, double offset) {
+    return std::max(0.0, penetration - offset);
+}
+
+/// Whether the stiffness acts: where p = 0 it does only in the first cycle of an impact (so that damping acts), and not
+/// at time 0 with Inacti 5 and 6.
+inline bool stiffness_acts(double effective, int cycles, int inacti, bool time_zero) {
+    if (effective > 0) return true;
+    const bool forgiven = time_zero && (inacti == 5 || inacti == 6);
+    return cycles == 1 && !forgiven;
+}
+
+}  // namespace type21::reference

@@ -1,0 +1,138 @@
+/// @file Projection of a node on one sub-triangle along interpolated normals (formulation section 3).
+/// Only + - x / and comparisons: the text is the same for double and for exact numbers, and a reader sees the geometry.
+#pragma once
+
+#include <optional>
+
+#include "reference/contact/sub_triangle.h"
+
+namespace type21::reference {
+
+/// Bounds of the weights, and what happens to a normal that leans away from the triangle.
+template <class Number>
+struct ProjectionLimits {
+    Number low = Number(-0.01);  ///< a weight below it is outside; the double nearest to -0.01
+    Number high = Number(1.01);  ///< b + c above it is outside; the double nearest to 1.01
+    bool lift_leaning = false;   ///< D35: <n_V, N> <= 0 is lifted with 1e-30 in its place and not rejected
+};
+
+/// Weights of a point in a triangle; a = 1 - b - c.
+template <class Number>
+struct Barycentric {
+    Number b{0};
+    Number c{0};
+};
+
+/// Where the node lands.
+template <class Number>
+struct Projection {
+    Barycentric<Number> weights;  ///< of Q in A B C, unclipped [-]
+    Vector<Number> normal;        ///< n, interpolated at the lifted triangle, not of unit length [-]
+    Number height{0};             ///< H = <P - A, N> [length^3]
+    Number slope{0};              ///< <n, N>, > 0 [length^2]
+};
+
+/// Weights of a point in (A, B, C) whose area vector is `area`:
+///   b = -<N, (A - Q) x (C - Q)> / |N|^2,   c = <N, (A - Q) x (B - Q)> / |N|^2
+template <class Number>
+Barycentric<Number> barycentric(const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
+                                const Vector<Number>& c, const Vector<Number>& area) {
+    const Number square = area.dot(area);
+    const Vector<Number> qa = a - q;
+    const Vector<Number> qb = b - q;
+    const Vector<Number> qc = c - q;
+    const Vector<Number> ac = qa.cross(qc);
+    const Vector<Number> ab = qa.cross(qb);
+    const Number along_b = area.dot(ac);
+    const Number along_c = area.dot(ab);
+    return {-along_b / square, along_c / square};
+}
+
+template <class Number>
+bool inside(const Barycentric<Number>& w, const ProjectionLimits<Number>& limits) {
+    const Number sum = w.b + w.c;
+    return !(w.b < limits.low) && !(w.c < limits.low) && !(sum > limits.high);
+}
+
+/// Projects P on the sub-triangle: lift the triangle to the node's height along the corner normals, read the weights
+/// there, interpolate the normal with them, and follow it down to the triangle.
+/// @return nothing where the sub-triangle rejects the node. Source: formulation section 3, steps 1 to 3.
+template <class Number>
+std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTriangle<Number>& t,
+                                          const ProjectionLimits<Number>& limits) {
+    const Number zero(0);
+    const Vector<Number> ap = p - t.a;
+    const Number height = ap.dot(t.area);
+
+    // 1: lift A, B, C along their normals to the plane through P.
+    Vector<Number> lifted_a = t.a;
+    Vector<Number> lifted_b = t.b;
+    Vector<Number> lifted_c = t.c;
+    if (height != zero) {
+        Number slope_a = t.normal_a.dot(t.area);
+        Number slope_b = t.normal_b.dot(t.area);
+        Number slope_c = t.normal_c.dot(t.area);
+        const bool leaning = !(slope_a > zero) || !(slope_b > zero) || !(slope_c > zero);
+        if (leaning) {
+            if (!limits.lift_leaning) return std::nullopt;
+            const Number guard(1e-30);
+            if (slope_a < guard) slope_a = guard;
+            if (slope_b < guard) slope_b = guard;
+            if (slope_c < guard) slope_c = guard;
+        }
+        lifted_a += t.normal_a * (height / slope_a);
+        lifted_b += t.normal_b * (height / slope_b);
+        lifted_c += t.normal_c * (height / slope_c);
+    }
+
+    // 2: the lifted triangle must not be turned over, and P must lie in it.
+    const Vector<Number> lifted_ab = lifted_b - lifted_a;
+    const Vector<Number> lifted_ac = lifted_c - lifted_a;
+    const Vector<Number> lifted_area = lifted_ab.cross(lifted_ac);
+    if (!(lifted_area.dot(t.area) > zero)) return std::nullopt;
+    const Barycentric<Number> first = barycentric(p, lifted_a, lifted_b, lifted_c, lifted_area);
+    if (!inside(first, limits)) return std::nullopt;
+
+    // 3: follow the interpolated normal down to the triangle.
+    const Number first_a = Number(1) - first.b - first.c;
+    const Vector<Number> normal = t.normal_a * first_a + t.normal_b * first.b + t.normal_c * first.c;
+    const Number slope = normal.dot(t.area);
+    if (!(slope > zero)) return std::nullopt;
+    const Vector<Number> q = p - normal * (height / slope);
+    const Barycentric<Number> weights = barycentric(q, t.a, t.b, t.c, t.area);
+    if (!inside(weights, limits)) return std::nullopt;
+    return Projection<Number>{weights, normal, height, slope};
+}
+
+/// Distance for the acceptance test: to the point whose weights are clipped to [0, 1] and rescaled to the sum 1.
+template <class Number>
+struct Approach {
+    Number squared_distance{0};  ///< d^2 [length^2]
+    int side = +1;               ///< +1 outward of the plane or on it, -1 behind
+};
+
+/// Formulation section 3, step 4.
+template <class Number>
+Approach<Number> approach(const Vector<Number>& p, const SubTriangle<Number>& t, const Barycentric<Number>& w) {
+    const Number zero(0);
+    const Number one(1);
+    const auto clip = [&](const Number& value) { return value < zero ? zero : (value > one ? one : value); };
+    const Number a = clip(one - w.b - w.c);
+    const Number b = clip(w.b);
+    const Number c = clip(w.c);
+    const Number sum = a + b + c;
+    const Vector<Number> nearest = (t.a * a + t.b * b + t.c * c) / sum;
+    const Vector<Number> offset = p - nearest;
+    return {offset.dot(offset), offset.dot(t.area) < zero ? -1 : +1};
+}
+
+/// kappa = |1/3 - b| + |1/3 - c| + |2/3 - b - c|: 0 at the centroid. Formulation section 3, step 6.
+template <class Number>
+Number centrality(const Barycentric<Number>& w) {
+    const Number third = Number(1) / Number(3);
+    const Number zero(0);
+    const auto magnitude = [&](const Number& value) -> Number { return value < zero ? Number(-value) : value; };
+    return magnitude(third - w.b) + magnitude(third - w.c) + magnitude(third + third - w.b - w.c);
+}
+
+}  // namespace type21::reference

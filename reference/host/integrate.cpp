@@ -1,0 +1,168 @@
+#include "reference/host/integrate.h"
+
+#include <cmath>
+
+namespace type21 {
+
+namespace {
+
+double sensor_start(const Model& model, int sensor) {
+    return sensor < 0 ? 0.0 : model.sensors[static_cast<size_t>(sensor)].delay;
+}
+
+bool sensor_on(const Model& model, int sensor, double time) {
+    return sensor < 0 || model.sensors[static_cast<size_t>(sensor)].on(time);
+}
+
+/// Velocity of one degree of freedom after the step.
+/// @param before    v_{n-1/2}
+/// @param free      acceleration that the forces give
+/// @param travelled displacement so far, for /IMPDISP
+struct Drive {
+    const Model& model;
+    const HostState& state;
+    double step;
+    double weight;
+
+    double operator()(const NodeConditions& conditions, int direction, double before, double free,
+                      double travelled) const {
+        const auto d = static_cast<size_t>(direction);
+        if (conditions.imposed[d] >= 0) {
+            const ImposedMotion& motion = model.imposed_motions[static_cast<size_t>(conditions.imposed[d])];
+            const bool velocity = motion.kind == ImposedMotion::Kind::velocity;
+            const ImposedValue imposed =
+                imposed_value(model, motion, state.time, state.time + (velocity ? 0.5 : 1.0) * step);
+            if (imposed.acts) return velocity ? imposed.value : (imposed.value - travelled) / step;
+        }
+        if (conditions.fixed[d]) return 0.0;
+        return before + free * weight;
+    }
+};
+
+/// Angular acceleration of the free body: I alpha = M - omega x I omega, all at t_n in global axes.
+Vec3 angular_acceleration(const RigidBody& tool, const BodyState& state, const Vec3& moment) {
+    if (!(tool.inertia.determinant() > 0)) return Vec3::Zero();
+    const Mat3 rotation = state.rotation.toRotationMatrix();
+    const Mat3 inertia = rotation * tool.inertia * rotation.transpose();
+    const Vec3 gyroscopic =
+        tool.spherical ? Vec3(Vec3::Zero()) : Vec3(state.angular_velocity.cross(inertia * state.angular_velocity));
+    return inertia.ldlt().solve(moment - gyroscopic);
+}
+
+void advance_body(const Model& model, const CycleForces& forces, size_t b, const Drive& drive, HostState& state) {
+    const RigidBody& tool = model.rigid_bodies[b];
+    BodyState& body = state.bodies[b];
+    const auto main = static_cast<size_t>(tool.main_node);
+    const NodeConditions& conditions = state.conditions[main];
+    const Vec3 force = forces.tool_force[b] + forces.load_force[b];
+    const Vec3 free = tool.mass > 0 ? Vec3(force / tool.mass) : Vec3(Vec3::Zero());
+    const Vec3 free_angular = angular_acceleration(tool, body, forces.tool_moment[b] + forces.load_moment[b]);
+    const Vec3 travelled = body.position - tool.center;
+    Vec3 velocity;
+    Vec3 angular_velocity;
+    for (int d = 0; d < 3; ++d) {
+        velocity[d] = drive(conditions, d, body.velocity[d], free[d], travelled[d]);
+        angular_velocity[d] =
+            drive(conditions, d + 3, body.angular_velocity[d], free_angular[d], body.imposed_angle[d]);
+    }
+    const Vec3 gained = velocity - body.velocity;
+    state.acceleration[main] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
+    state.reaction[main] += tool.mass * gained - forces.tool_force[b] * drive.weight;
+    const Mat3 rotation = body.rotation.toRotationMatrix();
+    const Mat3 inertia = rotation * tool.inertia * rotation.transpose();
+    state.reaction_moment[main] +=
+        inertia * (angular_velocity - body.angular_velocity) - forces.tool_moment[b] * drive.weight;
+    body.velocity = velocity;
+    body.angular_velocity = angular_velocity;
+    body.position += velocity * drive.step;
+    body.rotation_before = body.rotation;
+    body.rotation = turned(body.rotation, angular_velocity, drive.step);
+    body.imposed_angle += angular_velocity * drive.step;
+}
+
+void advance_free_node(const Model& model, const CycleForces& forces, size_t n, const Drive& drive, HostState& state) {
+    const double mass = model.nodal_mass[n];
+    const Vec3 force = forces.contact[n] + forces.load[n];
+    const Vec3 free = mass > 0 ? Vec3(force / mass) : Vec3(Vec3::Zero());
+    Vec3 velocity;
+    for (int d = 0; d < 3; ++d) {
+        velocity[d] =
+            drive(state.conditions[n], d, state.velocity[n][d], free[d], state.position[n][d] - state.start[n][d]);
+    }
+    const Vec3 gained = velocity - state.velocity[n];
+    state.acceleration[n] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
+    state.reaction[n] += mass * gained - forces.contact[n] * drive.weight;
+    state.velocity[n] = velocity;
+    state.position[n] += velocity * drive.step;
+}
+
+}  // namespace
+
+ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, double now, double at) {
+    if (now < motion.start || now > motion.stop || !sensor_on(model, motion.sensor, now)) return {};
+    const double time = at - sensor_start(model, motion.sensor);
+    return {true, motion.scale_y * model.functions[static_cast<size_t>(motion.function)](time / motion.scale_x)};
+}
+
+CycleForces no_forces(const Model& model) {
+    CycleForces forces;
+    forces.contact.assign(static_cast<size_t>(model.nodes.size()), Vec3::Zero());
+    forces.load = forces.contact;
+    forces.tool_force.assign(model.rigid_bodies.size(), Vec3::Zero());
+    forces.tool_moment = forces.load_force = forces.load_moment = forces.tool_force;
+    return forces;
+}
+
+void add_loads(const Model& model, const HostState& state, CycleForces& forces) {
+    for (const ConcentratedLoad& load : model.loads) {
+        if (!sensor_on(model, load.sensor, state.time)) continue;
+        const double time = state.time - sensor_start(model, load.sensor);
+        const double value = load.scale_y * model.functions[static_cast<size_t>(load.function)](time / load.scale_x);
+        for (const int node : model.groups[static_cast<size_t>(load.group)].nodes) {
+            const int body = state.body[static_cast<size_t>(node)];
+            const int axis = load.direction % 3;
+            if (body < 0) {
+                if (load.direction < 3) forces.load[static_cast<size_t>(node)][axis] += value;
+                continue;
+            }
+            const auto b = static_cast<size_t>(body);
+            Vec3 vector = Vec3::Zero();
+            vector[axis] = value;
+            if (load.direction >= 3) {
+                forces.load_moment[b] += vector;
+                continue;
+            }
+            forces.load_force[b] += vector;
+            forces.load_moment[b] +=
+                (state.position[static_cast<size_t>(node)] - state.bodies[b].position).cross(vector);
+        }
+    }
+}
+
+void advance(const Model& model, const CycleForces& forces, double step, HostState& state) {
+    const Drive drive{model, state, step, 0.5 * (state.step + step)};
+    for (size_t b = 0; b < state.bodies.size(); ++b)
+        advance_body(model, forces, b, drive, state);
+    const std::vector<Vec3> before = state.velocity;
+    for (size_t n = 0; n < state.position.size(); ++n) {
+        if (state.body[n] < 0) advance_free_node(model, forces, n, drive, state);
+    }
+    state.carry_body_nodes(model);
+    for (size_t b = 0; b < state.bodies.size(); ++b) {
+        for (const int node : model.rigid_bodies[b].nodes) {
+            // A node of a body is held by the body: its own mass is its reaction.
+            const auto n = static_cast<size_t>(node);
+            const Vec3 gained = state.velocity[n] - before[n];
+            state.acceleration[n] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
+            state.reaction[n] += model.nodal_mass[n] * gained - (forces.contact[n]) * drive.weight;
+        }
+    }
+    for (size_t n = 0; n < state.position.size(); ++n)
+        state.displacement[n] = state.position[n] - state.start[n];
+    state.time += step;
+    state.weight_before = drive.weight;
+    state.step = step;
+    ++state.cycle;
+}
+
+}  // namespace type21

@@ -1,0 +1,39 @@
+/// @file One step of nodes and tools: v_{n+1/2} = v_{n-1/2} + a (dt1 + dt2)/2, x_{n+1} = x_n + v_{n+1/2} dt2
+/// (formulation section 11).
+#pragma once
+
+#include <vector>
+
+#include "reference/host/state.h"
+#include "reference/model/scene.h"
+
+namespace type21 {
+
+/// Forces of one cycle at t_n. contact and load are apart since a reaction holds against the contact only.
+struct CycleForces {
+    std::vector<Vec3> contact;      ///< on nodes [force]
+    std::vector<Vec3> load;         ///< on nodes, /CLOAD [force]
+    std::vector<Vec3> tool_force;   ///< contact and tool damping, per body [force]
+    std::vector<Vec3> tool_moment;  ///< about x_G, per body [moment]
+    std::vector<Vec3> load_force;   ///< /CLOAD on main nodes, per body [force]
+    std::vector<Vec3> load_moment;  ///< per body [moment]
+};
+
+CycleForces no_forces(const Model& model);
+
+/// Adds the /CLOAD of time t_n.
+void add_loads(const Model& model, const HostState& state, CycleForces& forces);
+
+/// Moves everything from t_n to t_{n+1} and sums the reactions of cycle n.
+/// @param step  dt2 [time]
+void advance(const Model& model, const CycleForces& forces, double step, HostState& state);
+
+/// Value of a function at the time that counts for it: the run's, or since its sensor switched on. Nothing while it is
+/// off.
+struct ImposedValue {
+    bool acts = false;
+    double value = 0;
+};
+ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, double now, double at);
+
+}  // namespace type21

@@ -1,0 +1,193 @@
+#include "reference/host/march.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reference/host/integrate.h"
+#include "reference/host/time_step.h"
+
+namespace type21 {
+
+namespace {
+
+/// Inacti 3: the node is moved out along nu until delta = g. The projection changes a little as the node moves, so
+/// again.
+void move_out_initial_penetrations(const Scene& scene, const std::vector<std::unique_ptr<ContactMethod>>& contacts,
+                                   HostState& state) {
+    constexpr int rounds = 20;
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        if (scene.model->interfaces[i].inacti != 3) continue;
+        for (int round = 0; round < rounds; ++round) {
+            const auto found = contacts[i]->initial_penetrations(state.start);
+            if (found.empty()) break;
+            for (const InitialPenetration& p : found)
+                state.start[static_cast<size_t>(p.node)] += p.penetration * p.normal;
+        }
+        state.position = state.start;
+    }
+}
+
+CycleForces forces_of(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
+    CycleForces forces = no_forces(model);
+    for (size_t i = 0; i < steps.size(); ++i) {
+        if (!steps[i].active) continue;
+        const Interface& interface = model.interfaces[i];
+        for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
+            forces.contact[static_cast<size_t>(interface.secondary.node[n])] += steps[i].nodes[n].force;
+        }
+        const ToolLoad& load = steps[i].tool;
+        const auto tool = static_cast<size_t>(interface.tool);
+        forces.tool_force[tool] += load.force + load.damping_force;
+        forces.tool_moment[tool] += load.moment + load.damping_moment;
+        if (interface.reference_interface >= 0) {
+            const auto other =
+                static_cast<size_t>(model.interfaces[static_cast<size_t>(interface.reference_interface)].tool);
+            forces.tool_force[other] -= load.damping_force;
+            forces.tool_moment[other] -= load.damping_moment;
+        }
+    }
+    add_loads(model, state, forces);
+    return forces;
+}
+
+/// @param weight  (dt1 + dt2)/2, with D25 that of the cycle before [time]
+void add_totals(const ContactSums& sums, double weight, InterfaceTotals& totals) {
+    totals.normal += sums.normal * weight;
+    totals.tangential += sums.tangential * weight;
+    totals.abs_normal += sums.abs_normal * weight;
+    totals.signed_normal += sums.signed_normal * weight;
+    totals.abs_total += sums.abs_total * weight;
+    totals.norm_total += sums.norm_total * weight;
+    totals.friction_heat += sums.friction_heat;
+    totals.friction_energy += sums.friction_work - sums.friction_heat;
+    totals.damping_energy += sums.damping_work;
+    totals.elastic_energy = sums.elastic_energy;
+}
+
+void release(const Model& model, const std::vector<ContactStep>& steps, HostState& state) {
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const int ibc = model.interfaces[i].ibc;
+        for (const int node : steps[i].released) {
+            for (int d = 0; d < 3; ++d) {
+                if ((ibc & (4 >> d)) != 0)
+                    state.conditions[static_cast<size_t>(node)].fixed[static_cast<size_t>(d)] = false;
+            }
+        }
+    }
+}
+
+std::string when(const HostState& state, const UnitSystem& units) {
+    return fmt::format("in cycle {} at t = {:.9g} {}", state.cycle, state.time, units.name(dim::time));
+}
+
+void check_step(const Model& model, const HostState& state, double step) {
+    if (std::isfinite(step) && step > 0) {
+        if (step < model.engine.smallest_step) {
+            throw RunStopped(RunStopped::Why::step_too_small,
+                             fmt::format("the time step {:.6g} {unit} is below the smallest of /DT, {:.6g} {unit}, {}",
+                                         step, model.engine.smallest_step, when(state, model.units),
+                                         fmt::arg("unit", model.units.name(dim::time))));
+        }
+        return;
+    }
+    throw RunStopped(
+        RunStopped::Why::diverged,
+        fmt::format("the time step is {} {}, {}: nothing limits it; give a step by /DTIX or an interval by /TFILE",
+                    step, model.units.name(dim::time), when(state, model.units)));
+}
+
+void check_finite(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
+    const auto stop = [&](const char* what, int node) {
+        throw RunStopped(RunStopped::Why::diverged,
+                         fmt::format("the {} of node {} is not finite, {}", what,
+                                     model.nodes.id[static_cast<size_t>(node)], when(state, model.units)));
+    };
+    for (size_t i = 0; i < steps.size(); ++i) {
+        for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
+            if (!steps[i].nodes[n].force.allFinite()) stop("contact force", model.interfaces[i].secondary.node[n]);
+        }
+    }
+    for (size_t n = 0; n < state.position.size(); ++n) {
+        if (!state.position[n].allFinite()) stop("position", static_cast<int>(n));
+        if (!state.velocity[n].allFinite()) stop("velocity", static_cast<int>(n));
+    }
+}
+
+void check_normals(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
+    for (size_t i = 0; i < steps.size(); ++i) {
+        if (steps[i].inverted.empty()) continue;
+        const InvertedNormal& first = steps[i].inverted.front();
+        const Interface& interface = model.interfaces[i];
+        const Segment& segment =
+            model.surfaces[static_cast<size_t>(interface.main_surface)].segments[static_cast<size_t>(first.segment)];
+        std::string nodes;
+        for (int j = 0; j < segment.corners(); ++j) {
+            nodes += fmt::format("{}{}", j > 0 ? " " : "",
+                                 model.nodes.id[static_cast<size_t>(segment.node[static_cast<size_t>(j)])]);
+        }
+        throw RunStopped(
+            RunStopped::Why::inverted_normal,
+            fmt::format("Invn of interface {}: the first impact of node {} came from behind, {}: penetration {:.9g} {} "
+                        "on segment {} "
+                        "(nodes {}); {} node{} in this cycle; check that the main normals look at the blank",
+                        interface.id, model.nodes.id[static_cast<size_t>(first.node)], when(state, model.units),
+                        first.penetration, model.units.name(dim::length), first.segment + 1, nodes,
+                        steps[i].inverted.size(), steps[i].inverted.size() == 1 ? "" : "s"));
+    }
+}
+
+}  // namespace
+
+void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe) {
+    const Model& model = *scene.model;
+    std::vector<std::unique_ptr<ContactMethod>> contacts;
+    for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)
+        contacts.push_back(make_contact(scene, i));
+    HostState state(model);
+    move_out_initial_penetrations(scene, contacts, state);
+    TimeStep time_step(scene);
+    std::vector<InterfaceTotals> totals(contacts.size());
+
+    while (state.time <= model.engine.end_time) {
+        const Motion motion = state.motion(model);
+        std::vector<ContactStep> steps;
+        steps.reserve(contacts.size());
+        for (const auto& contact : contacts)
+            steps.push_back(contact->step(motion));
+        check_finite(model, state, steps);
+        const double step = time_step.next(state, steps);
+        check_step(model, state, step);
+
+        const double weight = 0.5 * (state.step + step);
+        const double impulse_weight = model.as_built.has(Departure::D25) ? state.weight_before : weight;
+        for (size_t i = 0; i < totals.size(); ++i)
+            add_totals(steps[i].sums, impulse_weight, totals[i]);
+
+        // The record of cycle n holds x_n and v_{n-1/2}, but reactions including cycle n: they are known once it has
+        // moved on.
+        HostState next = state;
+        release(model, steps, next);
+        advance(model, forces_of(model, state, steps), step, next);
+        CycleRecord record;
+        record.cycle = state.cycle;
+        record.time = state.time;
+        record.step = state.step;
+        record.next_step = step;
+        record.motion = &motion;
+        record.contacts = &steps;
+        record.totals = &totals;
+        record.displacement = &state.displacement;
+        record.angular_velocity = &state.angular_velocity;
+        record.acceleration = &next.acceleration;
+        record.reaction = &next.reaction;
+        record.reaction_moment = &next.reaction_moment;
+        record.last = next.time > model.engine.end_time;
+        observe(record);
+        check_normals(model, state, steps);
+        state = std::move(next);
+    }
+    if (state.cycle > 0) check_finite(model, state, {});
+}
+
+}  // namespace type21

@@ -1,0 +1,48 @@
+/// @file The state of the march: nodes and tools at t_n, velocities at n - 1/2.
+#pragma once
+
+#include <vector>
+
+#include "reference/host/conditions.h"
+#include "reference/host/motion.h"
+#include "reference/host/rotation.h"
+#include "reference/model/scene.h"
+
+namespace type21 {
+
+struct BodyState {
+    Vec3 position = Vec3::Zero();  ///< x_G [length]
+    Rotation rotation = Rotation::Identity();
+    Rotation rotation_before = Rotation::Identity();  ///< of the cycle before, for D24
+    Vec3 velocity = Vec3::Zero();                     ///< [velocity]
+    Vec3 angular_velocity = Vec3::Zero();             ///< [1/time]
+    Vec3 imposed_angle = Vec3::Zero();  ///< integral of each rotation component since the start, for /IMPDISP [rad]
+};
+
+struct HostState {
+    explicit HostState(const Model& model);
+
+    /// Brings the nodes of the bodies to where their body is.
+    void carry_body_nodes(const Model& model);
+
+    std::vector<NodeConditions> conditions;
+    std::vector<int> body;               ///< of each node, -1: none
+    std::vector<Vec3> start;             ///< x_0, after Inacti 3 [length]
+    std::vector<Vec3> position;          ///< x_n [length]
+    std::vector<Vec3> velocity;          ///< v_{n-1/2} [velocity]
+    std::vector<Vec3> acceleration;      ///< [length/time^2]
+    std::vector<Vec3> displacement;      ///< x_n - x_0 [length]
+    std::vector<Vec3> angular_velocity;  ///< of the node's body, else 0 [1/time]
+    std::vector<Vec3> reaction;          ///< REAC, cumulative impulse [force time]
+    std::vector<Vec3> reaction_moment;   ///< [moment time]
+    std::vector<BodyState> bodies;
+
+    double time = 0;
+    double step = 0;           ///< dt1
+    double weight_before = 0;  ///< (dt1 + dt2)/2 of the cycle before
+    long cycle = 0;
+
+    Motion motion(const Model& model) const;
+};
+
+}  // namespace type21

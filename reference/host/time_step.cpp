@@ -1,0 +1,105 @@
+#include "reference/host/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+namespace type21 {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// c: Igap 0: max(g, 0.1 max(DEPTH, Drad, g)); else max(Gapmin, least g_s, 0.1 max(DEPTH, Drad, largest g_s)).
+double reach_of(const Interface& interface) {
+    const double far = std::max({double(interface.depth), double(interface.drad), interface.largest_gap});
+    if (interface.igap == 0) return std::max(interface.largest_gap, 0.1 * far);
+    return std::max({double(interface.gapmin), interface.smallest_gap_raw, 0.1 * far});
+}
+
+double stable_step(double mass, double stiffness) {
+    return mass > 0 && stiffness > 0 ? std::sqrt(2.0 * mass / stiffness) : infinite;
+}
+
+}  // namespace
+
+TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
+    const Model& model = *scene.model;
+    for (const Interface& interface : model.interfaces) {
+        reach_.push_back(reach_of(interface));
+        const Vec3 center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
+        Vec3 farthest = Vec3::Zero();
+        for (const int node : interface.main_nodes) {
+            const Vec3 arm = model.nodes.position[static_cast<size_t>(node)] - center;
+            if (arm.squaredNorm() > farthest.squaredNorm()) farthest = arm;
+        }
+        farthest_.push_back(farthest);
+    }
+}
+
+double TimeStep::next(const HostState& state, const std::vector<ContactStep>& contacts) {
+    const EngineControl& engine = scene_.model->engine;
+    limits_.nodal = engine.step_scale * nodal_limit(state, contacts);
+    limits_.kinematic = kinematic_limit(state);
+    const bool first = state.cycle == 0;
+    const double largest = engine.largest_step.value_or(0.0);
+    const double initial = engine.first_step.value_or(0.0);
+    if (largest > 0 && initial == largest) return largest;
+    if (first && initial > 0) return initial;
+    double step = std::min(limits_.nodal, limits_.kinematic);
+    if (largest > 0) step = std::min(step, largest);
+    if (engine.history_interval > 0) step = std::min(step, engine.history_interval);
+    return step;
+}
+
+double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const {
+    const Model& model = *scene_.model;
+    std::vector<double> stiffness(state.position.size(), 0.0);
+    double limit = infinite;
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        const Interface& interface = model.interfaces[i];
+        for (size_t n = 0; n < contacts[i].nodes.size(); ++n) {
+            stiffness[static_cast<size_t>(interface.secondary.node[n])] += contacts[i].nodes[n].step_stiffness;
+        }
+        // The tool with its damping: K (sqrt(1 + a^2) + a)^2, a = C / sqrt(4 M K).
+        const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(interface.tool)];
+        const ToolLoad& load = contacts[i].tool;
+        if (load.step_stiffness > 0 && tool.mass > 0) {
+            const double ratio = load.damping / std::sqrt(4.0 * tool.mass * load.step_stiffness);
+            const double factor = std::sqrt(1.0 + ratio * ratio) + ratio;
+            limit = std::min(limit, stable_step(tool.mass, load.step_stiffness * factor * factor));
+        }
+        if (interface.tool_rotates && load.step_rotation > 0) {
+            const double inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
+            limit = std::min(limit, stable_step(inertia, load.step_rotation));
+        }
+    }
+    for (size_t n = 0; n < stiffness.size(); ++n)
+        limit = std::min(limit, stable_step(model.nodal_mass[n], stiffness[n]));
+    return limit;
+}
+
+double TimeStep::kinematic_limit(const HostState& state) {
+    const Model& model = *scene_.model;
+    double limit = infinite;
+    for (size_t i = 0; i < model.interfaces.size(); ++i) {
+        const Interface& interface = model.interfaces[i];
+        const BodyState& tool = state.bodies[static_cast<size_t>(interface.tool)];
+        reach_[i] = std::min(reach_[i], reach_of(interface));
+        Vec3 low = Vec3::Constant(infinite);
+        Vec3 high = Vec3::Constant(-infinite);
+        for (const int node : interface.secondary.node) {
+            low = low.cwiseMin(state.velocity[static_cast<size_t>(node)]);
+            high = high.cwiseMax(state.velocity[static_cast<size_t>(node)]);
+        }
+        const Vec3 range = (high - tool.velocity).cwiseMax(tool.velocity - low).cwiseMax(0.0);
+        const Vec3 arm = tool.rotation.toRotationMatrix() * farthest_[i];
+        const double speed = range.norm() + tool.angular_velocity.cross(arm).norm();
+        if (speed > 0) limit = std::min(limit, 0.9 * reach_[i] / speed);
+    }
+    return limit;
+}
+
+}  // namespace type21

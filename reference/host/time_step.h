@@ -1,0 +1,40 @@
+/// @file The step that follows a cycle (formulation section 11).
+#pragma once
+
+#include <vector>
+
+#include "reference/contact/contact_step.h"
+#include "reference/host/state.h"
+
+namespace type21 {
+
+/// What the limits of the step are; infinite where nothing limits.
+struct StepLimits {
+    double nodal = 0;      ///< scale * sqrt(2 m / K) over nodes and tools [time]
+    double kinematic = 0;  ///< 0.9 c / v_max over the interfaces [time]
+};
+
+/// Remembers the smallest c of each interface.
+class TimeStep {
+  public:
+    explicit TimeStep(const Scene& scene);
+
+    /// dt2 after the contact of cycle n: the constant step of /DTIX when its two values are equal; else the first value
+    /// in the first cycle, and then the least of the nodal limit, the kinematic limit, the second value of /DTIX and
+    /// the /TFILE interval.
+    double next(const HostState& state, const std::vector<ContactStep>& contacts);
+
+    /// Limits of the last call of next().
+    const StepLimits& limits() const { return limits_; }
+
+  private:
+    double nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const;
+    double kinematic_limit(const HostState& state);
+
+    Scene scene_;
+    std::vector<double> reach_;   ///< smallest c so far, per interface [length]
+    std::vector<Vec3> farthest_;  ///< main node farthest from x_G, in the tool frame, per interface [length]
+    StepLimits limits_;
+};
+
+}  // namespace type21
