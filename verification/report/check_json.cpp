@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include "verification/record/build_info.h"
+#include "verification/report/check_report.h"
+
+namespace type21 {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return "inf";
+    return value;
+}
+
+}  // namespace
+
+Json check_json(const std::vector<CheckResult>& results) {
+    const BuildInfo& build = build_info();
+    Json out = Json::array();
+    for (const CheckResult& result : results) {
+        Json record = {{"id", result.id},
+                       {"case", result.case_name},
+                       {"run", result.run},
+                       {"kind", result.kind},
+                       {"equation", result.equation},
+                       {"expected", result.expected_value},
+                       {"got", result.got_value},
+                       {"difference", number(result.difference)},
+                       {"tolerance", result.tolerance},
+                       {"unit", result.unit},
+                       {"reason", result.reason},
+                       {"verdict", result.ok ? "ok" : "failed"},
+                       {"detail", result.detail},
+                       {"seconds", result.seconds},
+                       {"version", build.version},
+                       {"commit", build.commit},
+                       {"compiler", build.compiler},
+                       {"cpu", build.cpu}};
+        for (const ColumnResult& column : result.columns)
+            record["columns"].push_back({{"column", column.column},
+                                         {"scaled", number(column.scaled)},
+                                         {"difference", number(column.difference)},
+                                         {"scale", column.scale},
+                                         {"time", column.time}});
+        out.push_back(std::move(record));
+    }
+    return out;
+}
+
+}  // namespace type21

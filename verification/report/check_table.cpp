@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "verification/report/check_report.h"
+
+namespace type21 {
+namespace {
+
+std::string shortened(const std::string& text, size_t width) {
+    return text.size() <= width ? text : text.substr(0, width - 3) + "...";
+}
+
+}  // namespace
+
+std::string check_table(const std::vector<CheckResult>& results) {
+    size_t case_width = 4;
+    size_t check_width = 5;
+    for (const CheckResult& result : results) {
+        case_width = std::max(case_width, result.case_name.size());
+        check_width = std::max(check_width, result.id.size());
+    }
+    const std::string line = "{:<{}}  {:<{}}  {:<10}  {:>18}  {:<18}  {:>10}  {:>9}  {}\n";
+    std::string out = fmt::format(fmt::runtime(line), "case", case_width, "check", check_width, "kind", "got",
+                                  "expected", "difference", "tolerance", "verdict");
+    std::map<std::string, size_t> kinds;
+    std::set<std::string> cases, runs;
+    size_t failed = 0;
+    for (const CheckResult& result : results) {
+        out += fmt::format(fmt::runtime(line), result.case_name, case_width, result.id, check_width, result.kind,
+                           shortened(result.got, 18), shortened(result.expected, 18),
+                           fmt::format("{:.2e}", result.difference), fmt::format("{:.1e}", result.tolerance),
+                           result.ok ? "ok" : "FAILED");
+        if (!result.ok) out += fmt::format("    run {}: {}\n", result.run, result.detail);
+        ++kinds[result.kind];
+        cases.insert(result.case_name);
+        runs.insert(result.case_name + "/" + result.run);
+        failed += result.ok ? 0 : 1;
+    }
+    std::string by_kind;
+    for (const auto& [kind, count] : kinds)
+        by_kind += fmt::format("{}{} {}", by_kind.empty() ? "" : ", ", count, kind);
+    out += fmt::format("{} checks ({}) of {} runs in {} cases: {}\n", results.size(), by_kind, runs.size(),
+                       cases.size(), failed == 0 ? "all hold" : fmt::format("{} FAILED", failed));
+    return out;
+}
+
+}  // namespace type21

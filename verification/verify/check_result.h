@@ -1,0 +1,27 @@
+/// @file What came of one check.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/compare/compare_tables.h"
+
+namespace type21 {
+
+struct CheckResult {
+    std::string id, case_name, run, kind, equation;
+    std::string expected;  ///< as text: a number, a file, a message
+    std::string got;
+    nlohmann::ordered_json expected_value, got_value;  ///< numbers where they are numbers, else the text
+    double difference = 0;  ///< in the measure of the tolerance (relative, scaled or absolute)
+    double tolerance = 0;
+    std::string unit, reason;
+    bool ok = false;
+    double seconds = 0;                 ///< of the run
+    std::string detail;                 ///< where the largest difference is, or what went wrong
+    std::vector<ColumnResult> columns;  ///< of a whole history
+};
+
+}  // namespace type21

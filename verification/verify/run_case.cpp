@@ -1,0 +1,29 @@
+#include "verification/verify/run_case.h"
+
+#include <chrono>
+#include <exception>
+
+namespace type21 {
+
+CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder) {
+    CaseOutcome outcome;
+    outcome.folder = folder;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        const PreparedDeck prepared = prepare_deck(run.deck.string(), run.as_built, true);
+        for (const Problem& problem : prepared.problems.list())
+            outcome.problems.push_back(to_text(problem));
+        outcome.refused = !prepared.scene;
+        if (prepared.scene) {
+            for (const Interface& interface : prepared.scene->model->interfaces)
+                outcome.interfaces.push_back(interface.id);
+            outcome.summary = run_scene(*prepared.scene, prepared.problems, folder, {});
+        }
+    } catch (const std::exception& error) {
+        outcome.error = error.what();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+}  // namespace type21
