@@ -143,36 +143,39 @@ install_missing() {
     local log name unknown=()
     log="$(mktemp)"
     say "      apt-get update"
-    if ! "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120 update >"$log" 2>&1; then
+    if ! "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120 -o Acquire::Retries=2 \
+        -o APT::Update::Error-Mode=any update >"$log" 2>&1; then
         say "      warning: apt-get update failed; going on with the lists that are there. It said:"
-        grep -E '^(E|W|Err)' "$log" | sort -u | head -n 8 | sed 's/^/        /' || true
+        apt_errors "$log" | sed 's/^/        /'
     fi
     for name in "$@"; do
         [[ "$(apt-cache policy "$name" 2>/dev/null | awk '/Candidate:/ { print $2 }')" =~ ^[0-9] ]] || unknown+=("$name: $(why "$name")")
     done
     if ((${#unknown[@]})); then
         fail 1 "apt knows no package of this name:" "${unknown[@]}" \
-            "apt-get update said: $(grep -E '^(E|W|Err)' "$log" | head -n 1 || true)" \
             "Check the network and that /etc/apt/sources.list or /etc/apt/sources.list.d names 'bookworm main'," \
             "or install them otherwise and use --no-install."
     fi
     say "      apt-get install: some minutes on a fresh machine"
     # apt writes one line a package; they are shown as they come and kept for the message on failure.
-    if ! "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 -o Dpkg::Use-Pty=0 \
+    if ! "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 -o Acquire::Retries=2 -o Dpkg::Use-Pty=0 \
         install --no-install-recommends "$@" 2>&1 </dev/null | tee "$log" |
-        awk '/^(Get:|Setting up|Need to get|After this|E:|Err:)/ { print "      " $0; fflush() }'; then
+        awk '/^(Get:|Setting up|Need to get|After this)/ { print "      " $0; fflush() }'; then
         report_apt_failure "$log" "$@"
     fi
     for name in "$@"; do is_installed "$name" || report_apt_failure "$log" "$name"; done
     rm -f -- "$log"
 }
 
+# apt_errors LOG: the first things that apt complains about.
+apt_errors() { grep -E '^(E|W):|No space left' "$1" | sort -u | awk 'NR <= 4 { print } END { if (NR > 4) print "... and " NR - 4 " more" }' || true; }
+
 # report_apt_failure LOG PACKAGE...: what could not be had, what apt said, what to do.
 report_apt_failure() {
     local log="$1" name absent=() said=() remedy="Check the network and the free space, then start again."
     shift
     for name in "$@"; do is_installed "$name" || absent+=("$name: $(why "$name")"); done
-    mapfile -t said < <(grep -E '^(E|Err)|No space left' "$log" | sort -u | head -n 8)
+    mapfile -t said < <(apt_errors "$log")
     if grep -q 'No space left\|enough free space' "$log"; then remedy="The disk is full: make room and start again."; fi
     if grep -q 'dpkg was interrupted' "$log"; then remedy="Run 'dpkg --configure -a' as root, then start again."; fi
     fail 1 "packages could not be installed:" "${absent[@]}" "apt-get said:" "${said[@]/#/  }" "$remedy" "Whole output: $log"
@@ -201,8 +204,9 @@ configure() {
     local log="$folder/configure.log"
     if ! (cd -- "$root" && cmake --preset "$preset" "${arguments[@]}") >"$log" 2>&1; then
         sed 's/^/      /' "$log" >&2
-        fail 1 "CMake could not configure (above; also in $log)" \
-            "A library that CMake does not find is one of scripts/packages.txt; without --no-install they are installed on Debian."
+        local hint=()
+        if grep -qi 'could not find' "$log"; then hint=("What it does not find is one of scripts/packages.txt; on Debian they are installed without --no-install."); fi
+        fail 1 "CMake could not configure (above; also in $log)" "${hint[@]}"
     fi
     printf '%s' "$wanted" >"$stamp"
     step_done "build/$preset"
