@@ -1,0 +1,24 @@
+#include "reference/model/as_built.h"
+#include "verification/cli/verbs.h"
+
+namespace type21::cli {
+namespace {
+
+/// Empty when the text names a set of departures, otherwise what is wrong.
+std::string departures_trouble(const std::string& text) {
+    Problems problems;
+    AsBuilt::parse(text, problems);
+    std::string trouble;
+    for (const Problem& problem : problems.list())
+        trouble += (trouble.empty() ? "" : "\n") + to_text(problem);
+    return trouble;
+}
+
+}  // namespace
+
+void add_as_built(CLI::App& verb, std::string& as_built) {
+    verb.add_option("--as-built", as_built, "departures to switch on: all, D03,D24, all,-D04 (see type21 departures)")
+        ->check(CLI::Validator(departures_trouble, "SET"));
+}
+
+}  // namespace type21::cli

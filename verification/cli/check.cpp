@@ -1,0 +1,45 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/check_output.h"
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/record/run_deck.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string deck, as_built, json;
+};
+
+int check(const Options& options) {
+    const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, false);
+    print_problems(prepared.problems);
+    if (!prepared.scene) {
+        if (!options.json.empty()) write_report(options.json, refused_json(options.deck, prepared.problems));
+        return exit_deck;
+    }
+    const Scene& scene = *prepared.scene;
+    std::vector<TimeZero> zero;
+    for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
+        zero.push_back(time_zero(scene, static_cast<int>(i)));
+    fmt::print("{}", check_text(scene, zero));
+    if (!options.json.empty()) write_report(options.json, check_json(scene, zero, prepared.problems));
+    return exit_ok;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("check", "Read a deck, resolve it, and say what would be computed; nothing is run");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
+    add_as_built(*verb, options->as_built);
+    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace type21::cli

@@ -1,0 +1,24 @@
+/// @file What `type21 check` says of a good deck.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "reference/model/scene.h"
+#include "verification/measure/time_zero.h"
+
+namespace type21::cli {
+
+/// Units, sizes, tools, and for each interface its fields, effects, time-0 quantities and initial penetrations (the
+/// first 20).
+std::string check_text(const Scene& scene, const std::vector<TimeZero>& zero);
+
+/// The same, with every initial penetration.
+nlohmann::ordered_json check_json(const Scene& scene, const std::vector<TimeZero>& zero, const Problems& problems);
+
+/// `{"valid": false, "problems": [...]}` of a deck that is refused.
+nlohmann::ordered_json refused_json(const std::string& deck, const Problems& problems);
+
+}  // namespace type21::cli

@@ -1,0 +1,75 @@
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/compare/comparison_text.h"
+#include "verification/verify/case_file.h"
+
+namespace type21::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string ours, reference, json;
+    std::optional<double> tolerance;
+    std::vector<std::string> columns;
+};
+
+void require_folder(const std::string& folder) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) throw UsageError(fmt::format("{}: is not a folder that can be read", folder));
+}
+
+/// "D04, D24", "none", or empty when the folder has no run.json that says.
+std::string as_built_of(const fs::path& folder) {
+    std::ifstream file(folder / "run.json");
+    const auto json = nlohmann::json::parse(file, nullptr, false);
+    if (!json.is_object() || !json.contains("as_built") || !json["as_built"].is_string()) return "";
+    return json["as_built"];
+}
+
+int compare(const Options& options) {
+    require_folder(options.ours);
+    require_folder(options.reference);
+    FolderOptions folder_options{options.tolerance, options.columns, {}};
+    bool foreign = false;
+    const std::string as_built = as_built_of(options.ours);
+    if (fs::exists(fs::path(options.reference) / "case.toml")) {
+        std::vector<std::string> problems;
+        const Case a_case = read_case(options.reference, problems);
+        for (const std::string& problem : problems)
+            fmt::print(stderr, "{}\n", problem);
+        if (!problems.empty()) return exit_deck;
+        folder_options.rules = rules_of(a_case, as_built, foreign);
+    }
+    const FolderComparison comparison = compare_folders(options.ours, options.reference, folder_options);
+    fmt::print("{}", to_text(comparison));
+    if (foreign && !as_built.empty())
+        fmt::print(
+            "note: {} was run with the departures '{}'; the case expects agreement with others (--as-built, see its "
+            "case.toml)\n",
+            options.ours, as_built);
+    if (!options.json.empty()) write_report(options.json, to_json(comparison));
+    return comparison.ok() ? exit_ok : exit_mismatch;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("compare", "Compare the histories of two runs, or of a run and a case");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("OURS", options->ours, "folder of a run")->required();
+    verb->add_option("REFERENCE", options->reference, "folder of another run or of a case")->required();
+    verb->add_option("--tolerance", options->tolerance,
+                     "allowed difference relative to the scale of the column (default: the case's, otherwise 1e-9)")
+        ->check(CLI::NonNegativeNumber);
+    verb->add_option("--columns", options->columns, "only these columns: FNX,FNZ")->delimiter(',');
+    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->callback([options, &exit_code] { exit_code = compare(*options); });
+}
+
+}  // namespace type21::cli

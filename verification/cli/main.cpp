@@ -1,0 +1,63 @@
+/// @file The command line: wires the verbs, maps what they throw to exit codes.
+#include <cstdio>
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/record/build_info.h"
+#include "verification/record/result_folder.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+    using namespace type21;
+    CLI::App app{"The TYPE21 stamping contact of Radioss as an executable specification.", "type21"};
+    const BuildInfo& build = build_info();
+    app.set_version_flag("--version", fmt::format("type21 {} ({}, {}, {})", build.version, build.commit, build.compiler,
+                                                  build.build_type));
+    app.require_subcommand(1);
+    app.footer(
+        "Exit codes: 0 done, 1 wrong command line or unusable folder, 2 the deck has errors,\n"
+        "3 histories differ or a check failed, 4 the run stopped or diverged, or an internal error.");
+    int code = cli::exit_ok;
+    cli::add_check(app, code);
+    cli::add_run(app, code);
+    cli::add_compare(app, code);
+    cli::add_verify(app, code);
+    cli::add_departures(app, code);
+    if (argc <= 1) {
+        fmt::print(stderr, "{}", app.help());
+        return cli::exit_usage;
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return app.exit(asked);  // --help, --version
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr,
+                   "type21: {}\nRun 'type21 --help' for the verbs and 'type21 VERB --help' for their options.\n",
+                   error.what());
+        return cli::exit_usage;
+    }
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace type21;
+    try {
+        return run(argc, argv);
+    } catch (const cli::UsageError& error) {
+        fmt::print(stderr, "type21: {}\n", error.what());
+        return cli::exit_usage;
+    } catch (const FolderError& error) {
+        fmt::print(stderr, "type21: {}\n", error.what());
+        return cli::exit_usage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "type21: internal error: {}\n", error.what());
+        return cli::exit_stopped;
+    }
+}

@@ -1,0 +1,27 @@
+/// @file The progress of a run on stderr.
+#pragma once
+
+#include <chrono>
+
+#include "verification/record/run_deck.h"
+
+namespace type21::cli {
+
+/// On a terminal one line, refreshed five times a second; elsewhere at most ten lines, one for each tenth of the run.
+class Progress {
+  public:
+    explicit Progress(std::string time_unit);
+
+    void operator()(const RunProgress& progress);
+    /// Leaves the line, so that what follows starts on its own.
+    void finish();
+
+  private:
+    std::string time_unit_;
+    bool terminal_;
+    bool line_open_ = false;
+    int tenths_ = 0;
+    std::chrono::steady_clock::time_point next_;
+};
+
+}  // namespace type21::cli

@@ -1,0 +1,54 @@
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/progress.h"
+#include "verification/cli/run_output.h"
+#include "verification/cli/verbs.h"
+#include "verification/record/run_deck.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string deck, out, as_built, with = "reference";
+    bool quiet = false;
+};
+
+int run(const Options& options) {
+    const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true);
+    print_problems(prepared.problems);
+    if (!prepared.scene) return exit_deck;
+    const Scene& scene = *prepared.scene;
+    Progress progress(scene.model->units.name(dim::time));
+    std::function<void(const RunProgress&)> report;
+    if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
+    const RunSummary summary = run_scene(scene, prepared.problems, options.out, report);
+    progress.finish();
+    if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
+    if (summary.state == RunSummary::State::completed) return exit_ok;
+    fmt::print(stderr, "type21: the run {}: {}. What was written until then is in {}\n", name(summary.state),
+               summary.reason, options.out);
+    return exit_stopped;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("run", "Run a deck and write its histories");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad; the engine deck NAME_0001.rad lies beside it")
+        ->required();
+    verb->add_option("--out", options->out, "folder for the results; those of an earlier run in it are replaced")
+        ->required();
+    add_as_built(*verb, options->as_built);
+    verb->add_option("--with", options->with, "who computes the contact")
+        ->check(CLI::IsMember({"reference"}))
+        ->capture_default_str();
+    verb->add_flag("--quiet", options->quiet, "no progress and no summary");
+    verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace type21::cli

@@ -1,0 +1,13 @@
+/// @file What `type21 run` says at the end.
+#pragma once
+
+#include <string>
+
+#include "verification/record/run_summary.h"
+
+namespace type21::cli {
+
+/// Cycles, contact in numbers, final impulses, energies and balance of each interface, with units.
+std::string run_text(const RunSummary& summary, const Scene& scene, const std::string& folder);
+
+}  // namespace type21::cli

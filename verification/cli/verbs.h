@@ -1,0 +1,22 @@
+/// @file The verbs of type21. Each adds its options to the program and a callback that sets the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "reference/deck/problem.h"
+
+namespace type21::cli {
+
+void add_check(CLI::App& app, int& exit_code);
+void add_run(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
+void add_departures(CLI::App& app, int& exit_code);
+
+/// The option --as-built; a set that is not one is a usage error.
+void add_as_built(CLI::App& verb, std::string& as_built);
+
+/// Every problem on stderr in the order in which it was met, and a count.
+void print_problems(const Problems& problems);
+
+}  // namespace type21::cli

@@ -1,0 +1,69 @@
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/report/check_report.h"
+#include "verification/verify/verify_cases.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> names;
+    std::string cases = "cases", scratch = "build/verify", json, junit;
+    bool list = false;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+};
+
+void print_list(const std::vector<Case>& cases) {
+    for (const Case& a_case : cases) {
+        fmt::print("{}: {}\n", a_case.name, a_case.statement);
+        for (const CaseCheck& check : a_case.checks)
+            fmt::print("  {:<24} {:<10} run {}\n", check.id, name(check.kind), a_case.runs[check.run].name);
+    }
+}
+
+int verify(const Options& options) {
+    std::vector<std::string> problems;
+    const std::vector<Case> cases = read_cases(options.cases, options.names, problems);
+    for (const std::string& problem : problems)
+        fmt::print(stderr, "{}\n", problem);
+    if (!problems.empty()) return exit_deck;
+    if (options.list) {
+        print_list(cases);
+        return exit_ok;
+    }
+    const auto progress = [](const VerifyProgress& p) {
+        fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
+                   p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
+    };
+    const std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress);
+    fmt::print("{}", check_table(results));
+    if (!options.json.empty()) write_report(options.json, check_json(results));
+    if (!options.junit.empty()) write_report(options.junit, check_junit(results));
+    for (const CheckResult& result : results)
+        if (!result.ok) return exit_mismatch;
+    return exit_ok;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("verify", "Run cases and check what comes out");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("NAMES", options->names, "cases to run (default: all)");
+    verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
+    verb->add_option("--scratch", options->scratch, "folder for the results of the runs")->capture_default_str();
+    verb->add_option("--json", options->json, "write one record a check to this file");
+    verb->add_option("--junit", options->junit, "write JUnit XML to this file");
+    verb->add_option("--jobs", options->jobs, "runs at a time (default: the number of processors)")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag("--list", options->list, "list the cases and their checks; run nothing");
+    verb->callback([options, &exit_code] { exit_code = verify(*options); });
+}
+
+}  // namespace type21::cli
