@@ -27,7 +27,7 @@ struct Barycentric {
 template <class Number>
 struct Projection {
     Barycentric<Number> weights;  ///< of Q in A B C, unclipped [-]
-    Vector<Number> normal;        ///< n, interpolated at the lifted triangle, not of unit length [-]
+    Vector<Number> normal = Vector<Number>::Zero();  ///< n, interpolated at the lifted triangle, not of unit length [-]
     Number height{0};             ///< H = <P - A, N> [length^3]
     Number slope{0};              ///< <n, N>, > 0 [length^2]
 };
