@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace type21 {
@@ -26,7 +27,8 @@ struct Problem {
     int count = 1;       ///< how often the same problem was met; the place is the first one
 };
 
-/// All problems of one deck, in the order in which they were met; the same problem at other places is counted, not repeated.
+/// All problems of one deck, in the order in which they were met; the same problem at other places is counted, not
+/// repeated. When many values of one field break one rule, those after the twentieth share one message.
 class Problems {
   public:
     void add(Problem problem);
@@ -37,6 +39,8 @@ class Problems {
 
   private:
     std::vector<Problem> list_;
+    std::unordered_map<std::string, std::size_t> index_;  ///< of each distinct problem in list_
+    std::unordered_map<std::string, int> values_;         ///< how many values broke the same rule
 };
 
 /// "file:line: error: card, field 'X' = value: rule. remedy" on one line.
