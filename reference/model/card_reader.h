@@ -10,8 +10,9 @@
 
 namespace type21 {
 
-/// Columns count from 1 and are inclusive, as in the manual. Data lines count from 0. A line that the card does not have, and
-/// columns beyond the end of a short line, read as blank; blank is 0. A word that is not a number is an error and reads as 0.
+/// Columns count from 1 and are inclusive, as in the manual. Data lines count from 0. A line that the card does not
+/// have, and columns beyond the end of a short line, read as blank; blank is 0. A word that is not a number is an error
+/// and reads as 0.
 class CardReader {
   public:
     CardReader(const Deck& deck, const Card& card, const UnitSystem& from, const UnitSystem& to, Problems& problems);
@@ -38,6 +39,10 @@ class CardReader {
     void warning(int line, std::string_view field, std::string value, std::string rule, std::string remedy);
 
   private:
+    /// A number with non-blank characters on both sides of its field's border is most likely misplaced.
+    void warn_if_cut(size_t line, int last, std::string_view field);
+    void add(Problem problem, int line);
+
     const Deck& deck_;
     const Card& card_;
     const UnitSystem& from_;

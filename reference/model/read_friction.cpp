@@ -1,0 +1,85 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "reference/model/reading.h"
+
+namespace type21 {
+
+namespace {
+
+constexpr Dimension per_pressure{-1, 1, 2, 0};
+constexpr Dimension per_pressure_squared{-2, 2, 4, 0};
+constexpr Dimension per_velocity{0, -1, 1, 0};
+constexpr Dimension per_velocity_squared{0, -2, 2, 0};
+constexpr Dimension per_pressure_velocity{-1, 0, 3, 0};
+
+/// Dimensions of C1..C6 by law (formulation 8): 0 Coulomb, 1 viscous, 2 Darmstadt, 3 Renard, 4 exponential.
+constexpr std::array<std::array<Dimension, 6>, 5> coefficient_dimensions{
+    {{},
+     {{per_pressure, per_velocity, per_pressure_velocity, per_pressure_squared, per_velocity_squared, dim::none}},
+     {{per_pressure_squared, per_velocity, per_pressure, per_velocity, dim::none, per_velocity}},
+     {{dim::none, dim::none, dim::none, dim::none, dim::velocity, dim::velocity}},
+     {{dim::none, per_velocity, dim::none, dim::none, dim::none, dim::none}}}};
+
+/// Two lines: C1..C5; C6, Fric and VISf (the latter belongs to the viscous formulation, which TYPE21 never uses).
+FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric) {
+    FrictionCoefficients read;
+    const auto& dimensions = coefficient_dimensions[static_cast<size_t>(ifric)];
+    for (size_t i = 0; i < 6; ++i) {
+        const int first = i < 5 ? 1 + 20 * static_cast<int>(i) : 1;
+        read.c[i] = reader.real(i < 5 ? line : line + 1, first, first + 19, fmt::format("C{}", i + 1), dimensions[i]);
+    }
+    read.fric = reader.real(line + 1, 21, 40, "Fric", dim::none);
+    if (read.fric < 0) {
+        reader.error(static_cast<int>(line) + 1, "Fric", fmt::format("{}", read.fric),
+                     "a friction coefficient is not negative", "Give a value such as 0.1");
+    }
+    return read;
+}
+
+int choice(CardReader& reader, int first, std::string_view field, int largest) {
+    const Id value = reader.integer(1, first, first + 9, field);
+    if (value >= 0 && value <= largest) return static_cast<int>(value);
+    reader.error(1, field, fmt::format("{}", value), fmt::format("{} is one of 0 to {}", field, largest),
+                 "Choose one of these");
+    return 0;
+}
+
+FrictionPair read_pair(Reading& reading, CardReader& reader, size_t line, int ifric) {
+    FrictionPair pair;
+    refuse_unless_zero(reader, line, 1, 10, "grpart_ID1", "a group of parts is");
+    refuse_unless_zero(reader, line, 11, 20, "grpart_ID2", "a group of parts is");
+    const bool groups = !reader.blank(line, 1, 20) && reader.text(line, 1, 10) != "0";
+    pair.part_a = reading.reference(reader, line, 21, 30, "part_ID1", reading.parts, !groups);
+    pair.part_b = reading.reference(reader, line, 31, 40, "part_ID2", reading.parts, !groups);
+    refuse_unless_zero(reader, line, 51, 60, "Idir", "friction that depends on the direction is");
+    pair.coefficients = coefficients(reader, line + 1, ifric);
+    return pair;
+}
+
+}  // namespace
+
+/// /FRICTION: the default coefficients and those of part pairs, three lines each.
+void read_friction(Reading& reading) {
+    std::vector<FrictionModel>& models = reading.model.friction_models;
+    const auto next = [&] { return static_cast<int>(models.size()); };
+    reading.each(Keyword::friction, reading.friction_models, next, [&](CardReader& reader, Id id) {
+        FrictionModel model;
+        model.id = id;
+        model.title = reader.text(0, 1, 100);
+        model.line = reader.line_number(reader.line_count());
+        model.ifric = choice(reader, 1, "Ifric", 4);
+        model.ifiltr = choice(reader, 11, "Ifiltr", 3);
+        // Xfreq is a cutting frequency with Ifiltr 3 only; otherwise it is a pure number.
+        model.xfreq = reader.real(1, 21, 40, "Xfreq", model.ifiltr == 3 ? dim::frequency : dim::none);
+        model.fallback = coefficients(reader, 2, model.ifric);
+        for (size_t line = 4; line < reader.line_count(); line += 3) {
+            if (reader.blank(line, 1, 100)) continue;
+            model.pairs.push_back(read_pair(reading, reader, line, model.ifric));
+        }
+        models.push_back(std::move(model));
+    });
+}
+
+}  // namespace type21

@@ -1,0 +1,65 @@
+/// @file The keywords that the starter deck may hold, and what becomes of the others.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "reference/deck/deck.h"
+
+namespace type21 {
+
+enum class Keyword {
+    begin,
+    unit,
+    title,
+    node,
+    shell,
+    sh3n,
+    part,
+    property_shell,
+    property_void,
+    material_elastic,
+    material_johnson_cook,
+    material_void,
+    surface_part,
+    surface_segment,
+    surface_surface,
+    group_node,
+    group_part,
+    group_surface,
+    group_group,
+    rigid_body,
+    boundary_condition,
+    imposed_velocity,
+    imposed_displacement,
+    initial_velocity,
+    added_mass_each,
+    added_mass_shared,
+    load,
+    function,
+    sensor,
+    friction,
+    interface,
+    history_interface,
+    history_node,
+    history_rigid_body,
+    analysis,
+    harmless,    ///< neither physics nor output
+    output,      ///< steers only output that this program does not write: a warning
+    unsupported  ///< would change the physics: an error
+};
+
+/// A keyword and how many of the card's words name it; the next word is the id, the one after it the unit_ID.
+struct KeywordMatch {
+    Keyword keyword = Keyword::unsupported;
+    std::size_t words = 1;
+};
+
+/// The longest entry of the vocabulary that the card's words begin with.
+KeywordMatch match(const Card& card);
+
+/// "/HEAT/MAT" of "/HEAT/MAT/3/1": the keyword without its ids.
+std::string keyword_without_ids(const Card& card);
+
+}  // namespace type21
