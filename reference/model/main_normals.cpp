@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -15,10 +17,10 @@ size_t at(int index) {
 }
 
 struct Sample {
-    size_t rank = 0;      ///< in the main surface, from 0
-    double area = 0;      ///< [length^2]
-    double distance = 0;  ///< |d|, centre to nearest secondary node [length]
-    double cosine = 0;    ///< <n, d> / |d|, 0 where |d| = 0 [-]
+    size_t rank = 0;  ///< in the main surface, from 0
+    Vec3 center = Vec3::Zero();
+    Vec3 area = Vec3::Zero();  ///< area vector, along the normal [length^2]
+    int nearest_node = -1;
 };
 
 size_t sample_count(size_t segments, size_t nodes) {
@@ -31,20 +33,17 @@ size_t sample_count(size_t segments, size_t nodes) {
 Sample examine(const InterfaceJudge& judge, const Segment& segment, size_t rank) {
     const auto& x = judge.model.nodes.position;
     const auto& n = segment.node;
-    Vec3 center = Vec3::Zero();
+    Sample sample{rank};
     for (int corner = 0; corner < segment.corners(); ++corner)
-        center += x[at(n[at(corner)])] / segment.corners();
-    const Vec3 area = 0.5 * (x[at(n[2])] - x[at(n[0])]).cross(x[at(n[3])] - x[at(n[1])]);
+        sample.center += x[at(n[at(corner)])] / segment.corners();
+    sample.area = 0.5 * (x[at(n[2])] - x[at(n[0])]).cross(x[at(n[3])] - x[at(n[1])]);
     double nearest = std::numeric_limits<double>::infinity();
-    Vec3 way = Vec3::Zero();
     for (const int node : judge.interface.secondary.node) {
-        const Vec3 d = x[at(node)] - center;
-        if (d.squaredNorm() >= nearest) continue;
-        nearest = d.squaredNorm();
-        way = d;
+        const double squared_distance = (x[at(node)] - sample.center).squaredNorm();
+        if (squared_distance >= nearest) continue;
+        nearest = squared_distance;
+        sample.nearest_node = node;
     }
-    Sample sample{rank, area.norm(), std::sqrt(nearest), 0};
-    if (sample.area > 0 && sample.distance > 0) sample.cosine = area.dot(way) / (sample.area * sample.distance);
     return sample;
 }
 
@@ -58,16 +57,23 @@ std::vector<Sample> examine_spread(const InterfaceJudge& judge, const std::vecto
     return samples;
 }
 
-/// Farthest distance that is still near: the blank may lie far above the whole tool.
-double near_limit(const Interface& interface, const std::vector<Sample>& samples) {
-    double nearest = std::numeric_limits<double>::infinity();
-    double area = 0;
-    for (const Sample& sample : samples) {
-        nearest = std::min(nearest, sample.distance);
-        area += sample.area;
+/// A sample and the node that it is judged by.
+using Pairs = std::map<const Sample*, int>;
+
+/// Each node that is the nearest of some sample, with the sample nearest to it; by rank.
+Pairs facing_pairs(const std::vector<Vec3>& x, const std::vector<Sample>& samples) {
+    std::set<int> nodes;
+    for (const Sample& sample : samples)
+        nodes.insert(sample.nearest_node);
+    Pairs pairs;
+    for (const int node : nodes) {
+        const auto distance = [&](const Sample& sample) { return (x[at(node)] - sample.center).squaredNorm(); };
+        const auto nearest = std::min_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
+            return distance(a) < distance(b);
+        });
+        pairs.emplace(&*nearest, node);
     }
-    const double size = std::sqrt(area / static_cast<double>(samples.size()));
-    return nearest + interface.largest_gap + interface.depth + 3 * size;
+    return pairs;
 }
 
 }  // namespace
@@ -75,26 +81,28 @@ double near_limit(const Interface& interface, const std::vector<Sample>& samples
 void check_main_normals(const InterfaceJudge& judge) {
     constexpr double across = 0.02;
     const auto& segments = judge.model.surfaces[at(judge.interface.main_surface)].segments;
+    const auto& x = judge.model.nodes.position;
     const std::vector<Sample> samples = examine_spread(judge, segments);
-    const double limit = near_limit(judge.interface, samples);
     double judged_area = 0;
     double away_area = 0;
     size_t judged = 0;
     std::vector<const Sample*> away;
-    for (const Sample& sample : samples) {
-        if (sample.distance > limit || std::abs(sample.cosine) <= across) continue;
+    for (const auto& [sample, node_of_pair] : facing_pairs(x, samples)) {
+        const Vec3 way = x[at(node_of_pair)] - sample->center;
+        const double facing = sample->area.dot(way);
+        if (std::abs(facing) <= across * sample->area.norm() * way.norm()) continue;
         ++judged;
-        judged_area += sample.area;
-        if (sample.cosine > 0) continue;
-        away_area += sample.area;
-        away.push_back(&sample);
+        judged_area += sample->area.norm();
+        if (facing > 0) continue;
+        away_area += sample->area.norm();
+        away.push_back(sample);
     }
     if (away_area <= 0.5 * judged_area) return;
     const auto& node = segments[away.front()->rank].node;
     const auto& id = judge.model.nodes.id;
     judge.warning_with(
         "surf_IDm",
-        fmt::format("{} of {} examined segments near the blank, the first is no. {} (nodes {}, {}, {}, {})",
+        fmt::format("{} of {} examined segments that face the blank, the first is no. {} (nodes {}, {}, {}, {})",
                     away.size(), judged, away.front()->rank + 1, id[at(node[0])], id[at(node[1])], id[at(node[2])],
                     id[at(node[3])]),
         "the main normals look away from the blank; they must be oriented toward the secondary surface",

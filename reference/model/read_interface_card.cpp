@@ -14,7 +14,6 @@ namespace {
 
 constexpr int card_lines = 12;
 constexpr int columns = 100;
-constexpr int oldest_version = 120;
 constexpr int last_version_with_multimp = 2016;  ///< the layout of 2017 has its columns blank
 
 bool has_twelve_lines(CardReader& card) {
@@ -131,12 +130,6 @@ void note_unread_columns(CardReader& card, int version) {
 }  // namespace
 
 bool read_interface_card(CardReader& card, int version, Interface& interface) {
-    if (version < oldest_version) {
-        card.error(-1, "", fmt::format("version {}", version),
-                   "decks older than version 120 have another /INTER/TYPE21",
-                   "Convert the deck to version 120 or newer");
-        return false;
-    }
     if (!has_twelve_lines(card)) return false;
     // The dimension of some reals hangs on flags that stand behind them: integers first.
     for (const bool reals : {false, true})

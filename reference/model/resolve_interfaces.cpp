@@ -19,7 +19,7 @@ namespace type21 {
 namespace {
 
 /// A card that was read, and its interface; IDref waits for the others.
-struct ReadCard {
+struct PendingCard {
     CardReader card;
     size_t interface = 0;
 };
@@ -59,7 +59,7 @@ void build_sides(const InterfaceJudge& judge) {
 
 void resolve_interfaces(const Deck& deck, Model& model, Problems& problems) {
     constexpr size_t unit_word = 3;
-    std::vector<ReadCard> cards;
+    std::vector<PendingCard> cards;
     for (const Card& card : deck.starter) {
         if (!is_type21(card)) continue;
         CardReader reader(deck, card, card_units(deck, card, unit_word, model, problems), model.units, problems);
@@ -82,7 +82,7 @@ void resolve_interfaces(const Deck& deck, Model& model, Problems& problems) {
         }
         model.interfaces.push_back(std::move(interface));
     }
-    for (ReadCard& read : cards)
+    for (PendingCard& read : cards)
         link_reference_interface({read.card, model, model.interfaces[read.interface]});
 }
 

@@ -1,0 +1,90 @@
+// The set of departures and its text.
+#include <gtest/gtest.h>
+
+#include "reference/model/as_built.h"
+
+namespace type21 {
+namespace {
+
+AsBuilt parsed(const std::string& text) {
+    Problems problems;
+    const AsBuilt set = AsBuilt::parse(text, problems);
+    EXPECT_TRUE(problems.list().empty()) << text << ": " << to_text(problems.list().front());
+    return set;
+}
+
+TEST(AsBuilt, TableHasEveryDepartureOnceInOrder) {
+    ASSERT_EQ(departures().size(), 37u);
+    for (size_t i = 0; i < 37; ++i) {
+        const DepartureRow& row = departures()[i];
+        EXPECT_EQ(static_cast<size_t>(row.id), i + 1);
+        EXPECT_FALSE(row.page.empty());
+        EXPECT_FALSE(row.as_built.empty());
+        EXPECT_EQ(row.available, row.reason.empty()) << name(row.id);
+    }
+}
+
+TEST(AsBuilt, AllMeansTheAvailableOnes) {
+    EXPECT_EQ(AsBuilt::all().text(),
+              "D01, D02, D03, D04, D05, D09, D12, D13, D18, D19, D20, D24, D25, D26, D29, D31, D33, D34, D35");
+    EXPECT_EQ(parsed("all").text(), AsBuilt::all().text());
+    EXPECT_EQ(parsed(" ALL ").text(), AsBuilt::all().text());
+}
+
+TEST(AsBuilt, NothingMeansNone) {
+    for (const std::string text : {"", "  ", "none", "None"}) {
+        EXPECT_FALSE(parsed(text).any()) << text;
+        EXPECT_EQ(parsed(text).text(), "none");
+    }
+}
+
+TEST(AsBuilt, NamesInAnyCaseAndOrder) {
+    EXPECT_EQ(parsed("D24,D03").text(), "D03, D24");
+    EXPECT_EQ(parsed(" d03 , d24 ").text(), "D03, D24");
+    EXPECT_TRUE(parsed("D03").has(Departure::D03));
+    EXPECT_FALSE(parsed("D03").has(Departure::D04));
+}
+
+TEST(AsBuilt, AMinusTakesAway) {
+    AsBuilt expected = AsBuilt::all();
+    expected.set(Departure::D04, false);
+    EXPECT_EQ(parsed("all,-D04").text(), expected.text());
+    EXPECT_EQ(parsed("D03,D04,- d04").text(), "D03");
+}
+
+TEST(AsBuilt, TextReadsBackAsTheSameSet) {
+    EXPECT_EQ(parsed(AsBuilt::all().text()).text(), AsBuilt::all().text());
+    EXPECT_EQ(parsed(parsed("D12").text()).text(), "D12");
+}
+
+TEST(AsBuilt, WrongNamesAreOneProblemEach) {
+    Problems problems;
+    const AsBuilt set = AsBuilt::parse("D03,D38,D3,xyz,,D05x", problems);
+    EXPECT_EQ(set.text(), "D03") << "what is right is kept";
+    ASSERT_EQ(problems.error_count(), 5);
+    for (const Problem& problem : problems.list()) {
+        EXPECT_EQ(problem.card, "--as-built");
+        EXPECT_NE(problem.remedy.find("D01, D02, D03"), std::string::npos) << "lists what can be given";
+        EXPECT_EQ(problem.remedy.find("D06"), std::string::npos) << "and not what cannot";
+    }
+    EXPECT_EQ(problems.list()[0].value, "D38");
+}
+
+TEST(AsBuilt, UnavailableNamesSayWhy) {
+    Problems problems;
+    EXPECT_FALSE(AsBuilt::parse("D30,D06,D11,D27", problems).any());
+    ASSERT_EQ(problems.error_count(), 4);
+    EXPECT_NE(problems.list()[0].rule.find("this version has no Igap 2"), std::string::npos);
+    EXPECT_NE(problems.list()[1].rule.find("this version has no friction filter"), std::string::npos);
+    EXPECT_NE(problems.list()[2].rule.find("heat exchange"), std::string::npos);
+    EXPECT_NE(problems.list()[3].rule.find("not reproduced"), std::string::npos);
+}
+
+TEST(AsBuilt, TakingAwayWhatIsNotThereIsAProblem) {
+    Problems problems;
+    AsBuilt::parse("D03,-D04", problems);
+    EXPECT_EQ(problems.error_count(), 1);
+}
+
+}  // namespace
+}  // namespace type21
