@@ -1,6 +1,7 @@
 #include "reference/contact/contact_state.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "reference/contact/reach_box.h"
 #include "reference/contact/stiffness.h"
@@ -19,16 +20,6 @@ std::vector<NodeConstants> node_constants(const Model& model, const Interface& c
         nodes[i].friction_stiffness =
             friction_stiffness(card, nodes[i].stiffness, side.element_stiffness[i], model.as_built);
         nodes[i].mass = side.mass[i];
-    }
-    // Part of a node, for the pairs of /FRICTION: that of the first segment of the surface that holds it.
-    const auto& segments = model.surfaces[static_cast<size_t>(card.secondary_surface)].segments;
-    for (const Segment& segment : segments) {
-        if (segment.shell < 0) continue;
-        for (const int node : segment.node) {
-            const auto at = std::lower_bound(side.node.begin(), side.node.end(), node) - side.node.begin();
-            int& part = nodes[static_cast<size_t>(at)].part;
-            if (part < 0) part = model.shells[static_cast<size_t>(segment.shell)].part;
-        }
     }
     return nodes;
 }
@@ -61,8 +52,8 @@ Contact::State::State(const Scene& scene_, int interface_)
       box_axes(reach_box_axes(tool(), card().tool_rotates)),
       inacti(card().inacti),
       offsets(nodes.size()) {
-    if (has(Effect::coulomb)) friction.assign(nodes.size(), Vec3::Zero());
-    if (has(Effect::release_bcs)) released.assign(nodes.size(), false);
+    if (has(Effect::coulomb)) friction.emplace(*model, card());
+    if (has(Effect::release_bcs)) release.emplace(card().secondary.size());
 }
 
 Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
@@ -114,6 +105,12 @@ Touch Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, co
     touch.geometry.distance = (y - touch.geometry.point).dot(touch.geometry.normal);
     touch.penetration = geometric_penetration(node.gap, touch.geometry.distance, y);
     return touch;
+}
+
+int Contact::State::part_of_segment(int segment) const {
+    const Segment& main =
+        model->surfaces[static_cast<size_t>(card().main_surface)].segments[static_cast<size_t>(segment)];
+    return main.shell < 0 ? -1 : model->shells[static_cast<size_t>(main.shell)].part;
 }
 
 void Contact::State::start(const Motion& motion) {

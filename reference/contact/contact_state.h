@@ -2,12 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "reference/contact/candidates.h"
 #include "reference/contact/contact.h"
 #include "reference/contact/contact_geometry.h"
+#include "reference/contact/friction.h"
 #include "reference/contact/penetration_offset.h"
+#include "reference/contact/release.h"
 #include "reference/contact/tool_surface.h"
 
 namespace type21::reference {
@@ -19,7 +22,6 @@ struct NodeConstants {
     double stiffness = 0;           ///< k; 0 once Inacti 1 has switched the node off [force/length]
     double friction_stiffness = 0;  ///< k of the friction increment [force/length]
     double mass = 0;                ///< m [mass]
-    int part = -1;                  ///< index into Model::parts
 };
 
 /// The retained impact of a node with its geometry, in the tool frame.
@@ -43,6 +45,8 @@ struct Contact::State {
     Touch first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
     /// Fills the history of time 0 according to Inacti.
     void start(const Motion& motion);
+    /// Index into Model::parts of the element under a main segment, -1 where there is none.
+    int part_of_segment(int segment) const;
     NodeContact node_step(int i, const Motion& motion, ContactStep& step);
 
     Scene scene;
@@ -56,8 +60,9 @@ struct Contact::State {
     bool started = false;
     int inacti = 0;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0
     std::vector<PenetrationHistory> offsets;
-    std::vector<Vec3> friction;  ///< F_t; empty without Coulomb friction
-    std::vector<bool> released;  ///< empty without IBC
+    // Rooms of the effects: empty unless the scene asks for them.
+    std::optional<Friction> friction;
+    std::optional<Release> release;
 };
 
 }  // namespace type21::reference

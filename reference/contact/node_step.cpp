@@ -1,7 +1,5 @@
 // One secondary node in one cycle, in the order of the formulation.
 #include "reference/contact/contact_state.h"
-#include "reference/contact/friction_increment.h"
-#include "reference/contact/friction_law.h"
 #include "reference/contact/normal_force.h"
 
 namespace type21::reference {
@@ -20,7 +18,7 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
     const auto leave = [&] {
         if (!time_zero) {
             history = {};
-            if (!friction.empty()) friction[n].setZero();
+            if (friction) friction->forget(i);
         }
         return out;
     };
@@ -53,10 +51,7 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
     out.penetration = effective_penetration(touch.penetration, history.offset);
     const bool acts = stiffness_acts(out.penetration, history.cycles, inacti, time_zero);
     out.stiffness = acts ? node.stiffness : 0.0;
-    if (out.penetration > 0 && !released.empty() && !released[n]) {
-        released[n] = true;
-        step.released.push_back(model_node);
-    }
+    if (release && release->now(i, out.penetration)) step.released.push_back(model_node);
 
     // Section 7: the normal force.
     const Vec3 arm = out.point - pose.position;
@@ -70,16 +65,15 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
     out.relative_velocity = velocity;
 
     // Section 8: friction.
-    if (!friction.empty()) {
-        const int shell = model->surfaces[static_cast<size_t>(card().main_surface)]
-                              .segments[static_cast<size_t>(touch.decision.segment)]
-                              .shell;
-        const int part_main = shell < 0 ? -1 : model->shells[static_cast<size_t>(shell)].part;
-        const double mu = coulomb_coefficient(*model, card(), node.part, part_main);
-        const FrictionForce tangential =
-            friction_force(friction[n], acts ? node.friction_stiffness : 0.0, velocity, motion.friction_step,
-                           out.normal, mu * std::abs(out.normal_force));
-        friction[n] = tangential.force;
+    if (friction) {
+        FrictionInput input;
+        input.normal_force = out.normal_force;
+        input.stiffness = acts ? node.friction_stiffness : 0.0;
+        input.step = motion.friction_step;
+        input.part_main = part_of_segment(touch.decision.segment);
+        input.velocity = velocity;
+        input.normal = out.normal;
+        const FrictionForce tangential = friction->act(i, input);
         out.friction = tangential.force;
         out.status = tangential.slips ? Status::slip : Status::stick;
     } else if (acts) {

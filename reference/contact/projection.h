@@ -26,10 +26,10 @@ struct Barycentric {
 /// Where the node lands.
 template <class Number>
 struct Projection {
-    Barycentric<Number> weights;  ///< of Q in A B C, unclipped [-]
+    Barycentric<Number> weights;                     ///< of Q in A B C, unclipped [-]
     Vector<Number> normal = Vector<Number>::Zero();  ///< n, interpolated at the lifted triangle, not of unit length [-]
-    Number height{0};             ///< H = <P - A, N> [length^3]
-    Number slope{0};              ///< <n, N>, > 0 [length^2]
+    Number height{0};                                ///< H = <P - A, N> [length^3]
+    Number slope{0};                                 ///< <n, N>, > 0 [length^2]
 };
 
 /// Weights of a point in (A, B, C) whose area vector is `area`:

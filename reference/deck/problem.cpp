@@ -58,10 +58,13 @@ std::string to_text(const Problem& problem) {
     std::string text = problem.place.file;
     if (problem.place.line > 0) text += fmt::format(":{}", problem.place.line);
     text += problem.severity == Severity::error ? ": error: " : ": warning: ";
-    if (!problem.card.empty()) text += problem.card;
-    if (!problem.field.empty()) text += fmt::format("{}field '{}'", problem.card.empty() ? "" : ", ", problem.field);
-    if (!problem.value.empty()) text += fmt::format("{}{}", problem.field.empty() ? " " : " = ", problem.value);
-    if (!problem.card.empty() || !problem.field.empty() || !problem.value.empty()) text += ": ";
+    std::string subject = problem.card;
+    if (!problem.field.empty()) subject += fmt::format("{}field '{}'", subject.empty() ? "" : ", ", problem.field);
+    if (!problem.value.empty()) {
+        const char* before = !problem.field.empty() ? " = " : subject.empty() ? "" : " ";
+        subject += before + problem.value;
+    }
+    if (!subject.empty()) text += subject + ": ";
     text += problem.rule;
     if (!problem.remedy.empty()) text += ". " + problem.remedy;
     if (problem.count > 1) text += fmt::format(" ({} times; this is the first)", problem.count);

@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_include_depth = 15;
+constexpr int max_inclusions = 20000;      ///< of all files together: includes that multiply at every level end here
 constexpr std::size_t max_columns = 1000;  ///< of a keyword or data line; a card has 100
 
 /// Reads the text of one deck, includes in their place, into cards.
@@ -53,9 +54,11 @@ class CardCollector {
         readable_ = true;
         const Loaded& loaded = known->second;
         bytes_ += loaded.file.text->size();
-        if (bytes_ > max_bytes) {
-            complain(blame, path, "the included files together are larger than 2 GB",
-                     "Look for a file that is included again and again");
+        if (bytes_ > max_bytes || ++inclusions_ > max_inclusions) {
+            complain(
+                blame, path,
+                fmt::format("a deck is at most 2 GB and {} inclusions large, all its files together", max_inclusions),
+                "Look for a file that is included again and again");
             ended_ = true;
             return;
         }
@@ -186,6 +189,7 @@ class CardCollector {
     std::map<std::string, Loaded> loaded_;
     std::vector<std::string> open_;  ///< files that are being read, outermost first
     std::size_t bytes_ = 0;
+    int inclusions_ = 0;
     Place last_;
     bool readable_ = false;
     bool ended_ = false;

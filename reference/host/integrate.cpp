@@ -49,6 +49,12 @@ Vec3 angular_acceleration(const RigidBody& tool, const BodyState& state, const V
     return inertia.ldlt().solve(moment - gyroscopic);
 }
 
+/// The force that a reaction holds against, where the page is silent as measured (case tool_drop): the contact, and the
+/// load in the first cycle only, so that from the second cycle on REAC of a loaded node contains its load.
+Vec3 held_against(const Vec3& contact, const Vec3& load, const HostState& state) {
+    return state.cycle == 0 ? Vec3(contact + load) : contact;
+}
+
 void advance_body(const Model& model, const CycleForces& forces, size_t b, const Drive& drive, HostState& state) {
     const RigidBody& tool = model.rigid_bodies[b];
     BodyState& body = state.bodies[b];
@@ -67,7 +73,8 @@ void advance_body(const Model& model, const CycleForces& forces, size_t b, const
     }
     const Vec3 gained = velocity - body.velocity;
     state.acceleration[main] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
-    state.reaction[main] += tool.mass * gained - forces.tool_force[b] * drive.weight;
+    state.reaction[main] +=
+        tool.mass * gained - held_against(forces.tool_force[b], forces.load_force[b], state) * drive.weight;
     const Mat3 rotation = body.rotation.toRotationMatrix();
     const Mat3 inertia = rotation * tool.inertia * rotation.transpose();
     state.reaction_moment[main] +=
@@ -91,7 +98,7 @@ void advance_free_node(const Model& model, const CycleForces& forces, size_t n, 
     }
     const Vec3 gained = velocity - state.velocity[n];
     state.acceleration[n] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
-    state.reaction[n] += mass * gained - forces.contact[n] * drive.weight;
+    state.reaction[n] += mass * gained - held_against(forces.contact[n], forces.load[n], state) * drive.weight;
     state.velocity[n] = velocity;
     state.position[n] += velocity * drive.step;
 }

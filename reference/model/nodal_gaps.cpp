@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -48,16 +47,21 @@ std::vector<double> contact_thickness_d29(const Model& model, const Surface& sec
     return thickness;
 }
 
-/// Unweighted mean thickness of the shells of the secondary surface, 0 without any.
+/// Mean, taken up one value at a time, so that the mean of equal values is that value to the last bit.
+double mean(const std::vector<double>& values) {
+    double mean_so_far = 0;
+    double count = 0;
+    for (const double value : values)
+        mean_so_far += (value - mean_so_far) / ++count;
+    return mean_so_far;
+}
+
+/// Unweighted mean thickness of the shells of the secondary surface, void ones too; 0 without any.
 double mean_shell_thickness(const InterfaceJudge& judge) {
-    double sum = 0;
-    int count = 0;
-    for (const Segment& segment : secondary_segments(judge)) {
-        if (segment.shell < 0) continue;
-        sum += judge.model.shells[at(segment.shell)].thickness;
-        ++count;
-    }
-    return count == 0 ? 0.0 : sum / count;
+    std::vector<double> thickness;
+    for (const Segment& segment : secondary_segments(judge))
+        if (segment.shell >= 0) thickness.push_back(judge.model.shells[at(segment.shell)].thickness);
+    return mean(thickness);
 }
 
 /// Gapmin of Igap 0; half of a mean thickness if it is not given.
@@ -65,9 +69,7 @@ void resolve_constant_gap(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.gapmin != 0) return;
     if (judge.model.as_built.has(Departure::D19)) {
-        const auto& t0 = it.secondary.thickness;
-        const double mean = std::accumulate(t0.begin(), t0.end(), 0.0) / static_cast<double>(t0.size());
-        take_default(it.gapmin, 0.5 * mean,
+        take_default(it.gapmin, 0.5 * mean(it.secondary.thickness),
                      "D19: half of the mean over the secondary nodes of the thickest shell at each");
     } else {
         take_default(it.gapmin, 0.5 * mean_shell_thickness(judge),

@@ -1,0 +1,28 @@
+/// @file IBC: the flagged translations of a boundary condition are released, for good, at the first effective
+/// penetration.
+#pragma once
+
+#include <vector>
+
+namespace type21::reference {
+
+/// Present only when the card asks for IBC.
+class Release {
+  public:
+    explicit Release(int nodes) : released_(static_cast<size_t>(nodes), 0) {}
+
+    /// True once for each node, at its first effective penetration.
+    bool now(int i, double penetration) {
+        char& released = released_[static_cast<size_t>(i)];
+        if (penetration <= 0 || released != 0) return false;
+        released = 1;
+        return true;
+    }
+
+    static constexpr size_t bytes_per_node() { return sizeof(char); }
+
+  private:
+    std::vector<char> released_;
+};
+
+}  // namespace type21::reference
