@@ -23,6 +23,10 @@ struct Motion {
     double friction_step = 0;        ///< step of the friction increment: dt1, or another with D25 [time]
     std::span<const Vec3> position;  ///< x_n [length]
     std::span<const Vec3> velocity;  ///< v_{n-1/2} [velocity]
+    /// Thickness of each of Model::shells at the end of the cycle before [length]; empty while no thickness changes.
+    std::span<const double> thickness;
+    /// Temperature of each node at the end of the cycle before [temperature]; empty in a scene without heat.
+    std::span<const double> temperature;
     std::vector<ToolMotion> tools;   ///< one for each rigid body of the Model
 };
 

@@ -80,16 +80,14 @@ Id CardReader::integer(size_t line, int first, int last, std::string_view field)
     const std::string_view word = trimmed(columns(card_.lines[line].text, first, last));
     Id value = 0;
     const NumberFault fault = parse_integer(word, value);
-    const auto where = static_cast<int>(line);
     if (fault == NumberFault::not_an_integer) {
-        error(where, field, std::string(word), "an integer is asked for, this is a real number",
-              "Write it without a decimal point");
+        misread(line, field, word, "an integer is asked for, this is a real number",
+                "Write it without a decimal point");
     } else if (fault == NumberFault::out_of_range) {
-        error(where, field, std::string(word), "the integer does not fit into 64 bits", "Give a smaller number");
+        misread(line, field, word, "the integer does not fit into 64 bits", "Give a smaller number");
     } else if (fault == NumberFault::not_a_number) {
-        error(where, field, std::string(word),
-              fmt::format("this is not a number (columns {} to {} are one integer)", first, last),
-              "Give an integer, and keep it in its columns");
+        misread(line, field, word, fmt::format("this is not a number (columns {} to {} are one integer)", first, last),
+                "Give an integer, and keep it in its columns");
     } else {
         warn_if_cut(line, last, field);
     }
@@ -100,8 +98,9 @@ double CardReader::real(size_t line, int first, int last, std::string_view field
     const double written = real_as_written(line, first, last, field);
     const double value = written * conversion(from_, to_, dimension);
     if (std::isfinite(value)) return value;
-    error(static_cast<int>(line), field, text(line, first, last),
-          fmt::format("the number is not finite in the work units ({})", to_.name(dimension)), "Give a smaller number");
+    misread(line, field, text(line, first, last),
+            fmt::format("the number is not finite in the work units ({})", to_.name(dimension)),
+            "Give a smaller number");
     return 0;
 }
 
@@ -110,14 +109,13 @@ double CardReader::real_as_written(size_t line, int first, int last, std::string
     const std::string_view word = trimmed(columns(card_.lines[line].text, first, last));
     double value = 0;
     const NumberFault fault = parse_real(word, value);
-    const auto where = static_cast<int>(line);
     if (fault == NumberFault::out_of_range) {
-        error(where, field, std::string(word), "the number is beyond the range of double precision",
-              "Give a number between 1e-307 and 1e307, or 0");
+        misread(line, field, word, "the number is beyond the range of double precision",
+                "Give a number between 1e-307 and 1e307, or 0");
     } else if (fault != NumberFault::none) {
-        error(where, field, std::string(word),
-              fmt::format("this is not a number (columns {} to {} are one real number)", first, last),
-              "Give a number such as 1.5e-3, and keep it in its columns");
+        misread(line, field, word,
+                fmt::format("this is not a number (columns {} to {} are one real number)", first, last),
+                "Give a number such as 1.5e-3, and keep it in its columns");
     } else {
         warn_if_cut(line, last, field);
     }
@@ -140,7 +138,17 @@ void CardReader::warning(int line, std::string_view field, std::string value, st
     add(problem_of(Severity::warning, card_, field, std::move(value), std::move(rule), std::move(remedy)), line);
 }
 
+void CardReader::misread(size_t line, std::string_view field, std::string_view word, std::string rule,
+                         std::string remedy) {
+    const auto where = static_cast<int>(line);
+    error(where, field, std::string(word), std::move(rule), std::move(remedy));
+    misread_.emplace_back(where, field);
+}
+
 void CardReader::add(Problem problem, int line) {
+    for (const auto& [misread_line, field] : misread_) {
+        if (misread_line == line && field == problem.field) return;
+    }
     const bool data = line >= 0 && has_line(static_cast<size_t>(line));
     problem.place = deck_.place(data ? card_.lines[static_cast<size_t>(line)] : card_.place);
     problems_.add(std::move(problem));

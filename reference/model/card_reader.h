@@ -3,6 +3,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "reference/deck/deck.h"
 #include "reference/model/mesh.h"
@@ -34,13 +36,15 @@ class CardReader {
     const UnitSystem& from() const { return from_; }
     const UnitSystem& to() const { return to_; }
 
-    /// line: data line of the card, or -1 for the keyword line.
+    /// line: data line of the card, or -1 for the keyword line. A field that could not be read at all has had its
+    /// message: what is said of its value afterwards is dropped.
     void error(int line, std::string_view field, std::string value, std::string rule, std::string remedy);
     void warning(int line, std::string_view field, std::string value, std::string rule, std::string remedy);
 
   private:
     /// A number with non-blank characters on both sides of its field's border is most likely misplaced.
     void warn_if_cut(size_t line, int last, std::string_view field);
+    void misread(size_t line, std::string_view field, std::string_view word, std::string rule, std::string remedy);
     void add(Problem problem, int line);
 
     const Deck& deck_;
@@ -48,6 +52,7 @@ class CardReader {
     const UnitSystem& from_;
     const UnitSystem& to_;
     Problems& problems_;
+    std::vector<std::pair<int, std::string>> misread_;  ///< line and field of every word that was no number
 };
 
 }  // namespace type21

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reference/contact/contact.h"
+#include "reference/host/conditions.h"
 #include "verification/record/recorder.h"
 #include "verification/record/result_folder.h"
 
@@ -37,7 +38,10 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     // Even a faulty deck is resolved, so that its author sees all problems in one go.
     if (!readable) return prepared;
     auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
-    if (!problems.has_errors()) prepared.scene = plan(std::move(model));
+    if (problems.has_errors()) return prepared;
+    Scene scene = plan(std::move(model));
+    if (needs_engine) check_runnable(scene, problems);
+    if (!problems.has_errors()) prepared.scene = std::move(scene);
     return prepared;
 }
 
