@@ -53,6 +53,13 @@ TEST(FieldTable, UnitsAreThoseOfTheWorkUnits) {
     EXPECT_EQ(row_of(table({{"Istf", "1"}}), "Stfac").unit, "N/mm");
 }
 
+TEST(FieldTable, UnitsThatHangOnAFlag) {
+    EXPECT_EQ(row_of(table({}), "Kthe").unit, "Mg/(s^3 K)") << "a coefficient";
+    EXPECT_EQ(row_of(table({{"fct_IDK", "4"}}), "Kthe").unit, "") << "the scale of a function";
+    EXPECT_EQ(row_of(table({{"Ifiltr", "3"}, {"Xfreq", "9.0"}}), "Xfreq").unit, "1/s") << "a cutting frequency";
+    EXPECT_EQ(row_of(table({{"Ifiltr", "1"}, {"Xfreq", "0.5"}}), "Xfreq").unit, "");
+}
+
 TEST(FieldTable, ValuesAreTheShortestThatReadBack) {
     const auto rows = table({{"Gapmin", "0.1"}, {"IBC", "011"}, {"Inacti", "5"}});
     EXPECT_EQ(row_of(rows, "Gapmin").value, "0.1");

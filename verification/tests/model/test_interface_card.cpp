@@ -81,6 +81,42 @@ TEST(InterfaceCard, EveryFieldIsReadFromItsColumns) {
     EXPECT_EQ(it.tool, 0);
 }
 
+TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
+    // The same numbers at the left end of their fields: a field that began too late would lose its first digit.
+    const std::string left_justified =
+        "/INTER/TYPE21/7\nleft\n"
+        "1         2         1         1         1                             2         1         0\n"
+        "1.25                8.0                 3.5                 150.0               1\n"
+        "10.0                20.0                                    30.0\n"
+        "1000.0              0.12                0.2                 1.0e-3              2.0e-3\n"
+        "       111                    5         0.7                                     0.25\n"
+        "0         3         0.0                           4         0         2.0                 0\n"
+        "0.01                0.02                0.03                0.04                0.05\n"
+        "0.06\n"
+        "4         0.9                 25.0\n"
+        "1.5                 0         2.5                 300.0               1\n"
+        "0.3                 4.5                 0.6                           0         5.5\n"
+        "5         0         0.4                 0.8\n";
+    std::string right_justified = full_card;
+    right_justified.replace(right_justified.find("         1         2         1         0"), 40,
+                            "         1         2         1         1");
+    right_justified.replace(right_justified.find("       101"), 10, "       111");
+    const auto values = [](const std::string& text) {
+        Model model = blank_over_tool();
+        model.sensors.push_back({4, "", 0.5, 1e30});
+        Problems problems;
+        const Interface it = resolve_card(model, text, problems);
+        EXPECT_EQ(problems.error_count(), 1) << "Ithe alone";
+        for (const Problem& problem : problems.list())
+            EXPECT_EQ(problem.field.find("columns"), std::string::npos) << to_text(problem);
+        std::map<std::string, std::string> of_field;
+        for (const FieldRow& row : field_table(it, model.units))
+            of_field[row.name] = row.value;
+        return of_field;
+    };
+    EXPECT_EQ(values(left_justified), values(right_justified));
+}
+
 TEST(InterfaceCard, HeatFieldsAreReadFromTheirColumns) {
     // With Ithe the card is refused, but its numbers stand where they were read.
     Model model = blank_over_tool();

@@ -136,6 +136,16 @@ TEST(Gap, GapminDefaultIsHalfTheMeanOfTheShells) {
     EXPECT_DOUBLE_EQ(it.secondary.gap[0], 0.75);
 }
 
+TEST(Gap, TheMeanOfEqualThicknessesIsThatThickness) {
+    // 0.1 + 0.1 + 0.1 is not 0.3 in binary; the gap of an even sheet is half of its thickness all the same.
+    Model model = blank_over_tool();
+    model.surfaces[0].segments.pop_back();
+    for (size_t i = 0; i < 4; ++i)
+        model.shells[i].thickness = 0.1;
+    EXPECT_EQ(with({}, {}, model).gapmin, 0.05);
+    EXPECT_EQ(with({}, {Departure::D19}, model).gapmin, 0.05);
+}
+
 TEST(Gap, D19GapminDefaultIsHalfTheMeanOfTheNodalMaxima) {
     const Interface it = with({}, {Departure::D19}, three_thin_one_thick());
     EXPECT_DOUBLE_EQ(it.gapmin, 0.5 * 17.0 / 9.0);

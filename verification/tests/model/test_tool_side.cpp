@@ -96,9 +96,9 @@ TEST(ToolSide, AMainSegmentWithoutAreaIsAnError) {
     flat.node = {9, 11, 12, 12};
     model.surfaces[1].segments.push_back(flat);
     // Three nodes on a line at values that are not exact in binary: the cross product is rounding, not zero.
-    model.nodes.position[9] = {0.1, 0.1, -2};
-    model.nodes.position[11] = {0.3, 0.3, -2};
-    model.nodes.position[12] = {0.7, 0.7, -2};
+    model.nodes.position[9] = {0.3, 0.9, -2};
+    model.nodes.position[11] = {1.1, 3.3, -2};
+    model.nodes.position[12] = {2.3, 6.9, -2};
     Problems problems;
     resolved(model, problems);
     const auto errors = about(problems, "surf_IDm", error);
