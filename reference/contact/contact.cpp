@@ -5,7 +5,6 @@
 #include "reference/contact/activity.h"
 #include "reference/contact/contact_state.h"
 #include "reference/contact/exact_sum.h"
-#include "reference/contact/normal_force.h"
 #include "reference/contact/tool_damping.h"
 
 namespace type21::reference {
@@ -42,13 +41,24 @@ ContactSums sums_of(const std::vector<NodeContact>& nodes, double step) {
     return sums;
 }
 
-double energy_of(const std::vector<NodeContact>& nodes, const Interface& card, bool as_built) {
+double energy_of(const std::vector<NodeContact>& nodes) {
     ExactSum energy;
-    for (const NodeContact& node : nodes) {
-        energy.add(as_built && card.istf == 1 ? elastic_energy_as_built(card.stfac, node.stiffness, node.penetration)
-                                              : elastic_energy(node.stiffness, node.penetration));
-    }
+    for (const NodeContact& node : nodes)
+        energy.add(node.elastic_energy);
     return energy.value();
+}
+
+void add_heat(const ContactStep& step, ContactSums& sums) {
+    ExactSum friction_heat, to_blank, to_tool;
+    for (const NodeContact& node : step.nodes) {
+        friction_heat.add(node.friction_heat);
+        to_blank.add(node.heat);
+    }
+    for (const ToolHeat& heat : step.tool_heat)
+        to_tool.add(heat.heat);
+    sums.friction_heat = friction_heat.value();
+    sums.heat_to_blank = to_blank.value();
+    sums.heat_to_tool = to_tool.value();
 }
 
 /// Resultants of the contact about x_G, and what tool damping and time step need of it.
@@ -86,13 +96,16 @@ ContactStep Contact::step(const Motion& motion) {
     ContactStep step;
     step.active = active(*state.model, card, motion.time);
     if (!step.active) return step;
+    state.update_gaps(motion, step);
     if (!state.started) state.start(motion);
 
     step.nodes.reserve(state.nodes.size());
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i)
         step.nodes.push_back(state.node_step(i, motion, step));
     step.sums = sums_of(step.nodes, motion.step);
-    step.sums.elastic_energy = energy_of(step.nodes, card, state.as_built(Departure::D05));
+    step.sums.elastic_energy = energy_of(step.nodes);
+    if (state.heat_exchange) add_heat(step, step.sums);
+    if (state.adaptive) step.adaptive = state.adaptive->elements(step.nodes, motion.position);
 
     const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
     const Resultants resultants = resultants_of(step.nodes, pose.position);

@@ -31,6 +31,8 @@ class ContactMethod {
 
 namespace reference {
 
+class Inspect;
+
 class Contact final : public ContactMethod {
   public:
     Contact(const Scene& scene, int interface);
@@ -43,6 +45,7 @@ class Contact final : public ContactMethod {
 
   private:
     struct State;
+    friend class Inspect;
     std::unique_ptr<State> state_;
 };
 

@@ -24,8 +24,17 @@ std::vector<NodeConstants> node_constants(const Model& model, const Interface& c
     return nodes;
 }
 
-double farthest_reach(const Interface& card) {
-    double reach = card.depth;
+/// How far heat reaches beyond the gap. D11: Drad counts even when there is no radiation.
+double heat_reach(const Model& model, const Interface& card) {
+    if (card.ithe == 0) return 0;
+    double reach = 0;
+    if (card.frad > 0 || model.as_built.has(Departure::D11)) reach = card.drad;
+    if (card.function_distance >= 0) reach = std::max<double>(reach, card.dcond);
+    return reach;
+}
+
+double farthest_reach(const Interface& card, double proximity) {
+    double reach = std::max<double>(card.depth, proximity);
     for (const double gap : card.secondary.search_gap)
         reach = std::max(reach, gap);
     return reach;
@@ -48,26 +57,56 @@ Contact::State::State(const Scene& scene_, int interface_)
       interface(interface_),
       nodes(node_constants(*model, card())),
       surface(*model, card()),
-      candidates(surface, farthest_reach(card())),
+      proximity(heat_reach(*model, card())),
+      reach(farthest_reach(card(), proximity)),
+      candidates(surface, reach),
       box_axes(reach_box_axes(tool(), card().tool_rotates)),
       inacti(card().inacti),
       offsets(nodes.size()) {
-    if (has(Effect::coulomb)) friction.emplace(*model, card());
+    if (has(Effect::gap_growth)) gap_growth.emplace(*model, card());
+    if (has(Effect::friction)) friction.emplace(*model, card());
+    if (has(Effect::skid_line)) skid_line.emplace(card().secondary.size());
+    if (has(Effect::deletion)) deletion.emplace(*model, card());
+    if (has(Effect::heat)) heat_exchange.emplace(*model, card());
     if (has(Effect::release_bcs)) release.emplace(card().secondary.size());
+    if (has(Effect::adaptive_data)) adaptive.emplace(*model, card(), surface);
+}
+
+void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
+    step.smallest_gap_raw = card().smallest_gap_raw;
+    step.largest_gap_raw = card().largest_gap;
+    if (!gap_growth) return;
+    step.smallest_gap_raw = 1e30;
+    step.largest_gap_raw = 0;
+    double largest = 0;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        const NodalGap gap = gap_growth->gap(static_cast<int>(i), motion.thickness);
+        nodes[i].gap = nodes[i].search_gap = gap.clipped;
+        // D33: the largest gap of time 0 is the least that decides contact.
+        if (as_built(Departure::D33))
+            nodes[i].search_gap = std::max(std::min<double>(gap.raw, card().gapmax), card().largest_gap);
+        largest = std::max(largest, nodes[i].search_gap);
+        step.smallest_gap_raw = std::min(step.smallest_gap_raw, gap.raw);
+        step.largest_gap_raw = std::max(step.largest_gap_raw, gap.raw);
+    }
+    if (largest <= reach) return;
+    reach = 1.5 * largest;  // with room, so that a growing sheet does not rebuild them every cycle
+    candidates = Candidates(surface, reach);
 }
 
 Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     std::vector<int> near = candidates.at(y);
     if (as_built(Departure::D34)) {
-        std::erase_if(
-            near, [&](int s) { return !in_reach_box(y, surface.shape(s), box_axes, node.search_gap, card().depth); });
+        std::erase_if(near, [&](int s) {
+            return !in_reach_box(y, surface.shape(s), box_axes, std::max(node.search_gap, proximity), card().depth);
+        });
     }
     ProjectionLimits<double> limits;
     limits.lift_leaning = as_built(Departure::D35);
-    const Reach<double> reach{node.search_gap, card().depth, 0.0};
+    const Reach<double> seen{node.search_gap, card().depth, proximity};
     const auto impact = retained_impact<double>(
-        y, near, [&](int s) { return surface.shape(s); }, reach, limits);
+        y, near, [&](int s) { return surface.shape(s); }, seen, limits, as_built(Departure::D11));
     Touch touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;
@@ -89,10 +128,10 @@ Touch Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, co
     if (!as_built(Departure::D31)) return touch(i, y, position, pose);
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     ProjectionLimits<double> limits{-0.05, 1.05, as_built(Departure::D35)};
-    const Reach<double> reach{node.gap, card().depth, 0.0};
+    const Reach<double> seen{node.gap, card().depth, 0.0};
     const std::vector<int> near = candidates.at(y);
     const auto impact = retained_impact<double>(
-        y, near, [&](int s) { return surface.shape(s); }, reach, limits);
+        y, near, [&](int s) { return surface.shape(s); }, seen, limits, as_built(Departure::D11));
     Touch touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;

@@ -1,21 +1,27 @@
-/// @file What a reference contact holds: constants of time 0, and the history of the effects that the scene asks for.
+/// @file What a reference contact holds: constants of time 0, and the rooms of the effects that the scene asks for.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "reference/contact/adaptive_data.h"
 #include "reference/contact/candidates.h"
 #include "reference/contact/contact.h"
 #include "reference/contact/contact_geometry.h"
+#include "reference/contact/deletion.h"
 #include "reference/contact/friction.h"
+#include "reference/contact/gap_growth.h"
+#include "reference/contact/heat_exchange.h"
 #include "reference/contact/penetration_offset.h"
+#include "reference/contact/pmax_limit.h"
 #include "reference/contact/release.h"
+#include "reference/contact/skid_line.h"
 #include "reference/contact/tool_surface.h"
 
 namespace type21::reference {
 
-/// Constants of one secondary node.
+/// Constants of one secondary node, but for the gaps, which follow the thickness with Igap 2.
 struct NodeConstants {
     double gap = 0;                 ///< g [length]
     double search_gap = 0;          ///< gap that decides contact: g, larger with D33 [length]
@@ -45,15 +51,27 @@ struct Contact::State {
     Touch first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
     /// Fills the history of time 0 according to Inacti.
     void start(const Motion& motion);
+    /// Gaps of this cycle; the boxes grow when a gap outgrows them.
+    void update_gaps(const Motion& motion, ContactStep& step);
+    NodeContact node_step(int i, const Motion& motion, ContactStep& step);
+
+    // Parts of node_step, in its order.
+    void normal_force(int i, const Motion& motion, NodeContact& out) const;
+    void friction_force(int i, const Motion& motion, bool acts, NodeContact& out);
+    void heat(int i, const Motion& motion, NodeContact& out, ContactStep& step) const;
+    /// T_m: Tint, or that of the tool at the contact point.
+    double tool_temperature(const Decision& decision, const Motion& motion) const;
+    PmaxLimit pmax_limit(int i) const;
     /// Index into Model::parts of the element under a main segment, -1 where there is none.
     int part_of_segment(int segment) const;
-    NodeContact node_step(int i, const Motion& motion, ContactStep& step);
 
     Scene scene;
     std::shared_ptr<const Model> model;
     int interface;
     std::vector<NodeConstants> nodes;
     ToolSurface surface;
+    double proximity;  ///< largest reach of the heat, 0 without [length]
+    double reach;      ///< that the boxes are grown by [length]
     Candidates candidates;
     Mat3 box_axes;
 
@@ -61,8 +79,13 @@ struct Contact::State {
     int inacti = 0;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0
     std::vector<PenetrationHistory> offsets;
     // Rooms of the effects: empty unless the scene asks for them.
+    std::optional<GapGrowth> gap_growth;
     std::optional<Friction> friction;
+    std::optional<SkidLine> skid_line;
+    std::optional<HeatExchange> heat_exchange;
     std::optional<Release> release;
+    std::optional<Deletion> deletion;
+    std::optional<AdaptiveData> adaptive;
 };
 
 }  // namespace type21::reference

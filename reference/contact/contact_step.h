@@ -24,6 +24,7 @@ struct NodeContact {
     double stiffness = 0;                   ///< k; 0 where section 6 says so [force/length]
     double damping = 0;                     ///< C [force time/length]
     double elastic_force = 0;               ///< F, >= 0 [force]
+    double elastic_energy = 0;              ///< integral of F dp [energy]
     double normal_force = 0;                ///< F_n = F - C v_n, positive pushes the node outward [force]
     Vec3 normal = Vec3::Zero();             ///< nu, outward [-]
     Vec3 point = Vec3::Zero();              ///< X, the contact point [length]
@@ -31,6 +32,25 @@ struct NodeContact {
     Vec3 friction = Vec3::Zero();           ///< F_t, on the tool [force]
     Vec3 force = Vec3::Zero();              ///< on the node: F_n nu - F_t [force]
     double step_stiffness = 0;              ///< k + C/dt1, for the time step [force/length]
+    double skid = 0;                        ///< skid ratio of this cycle [-]
+    double friction_heat = 0;               ///< Fheat q of this cycle [energy]
+    double heat = 0;                        ///< to the node from tool and friction in this cycle [energy]
+    double conductance = 0;                 ///< A / (d/k_s + 1/K), for the thermal step [power/temperature]
+};
+
+/// Heat that a tool node receives in one cycle.
+struct ToolHeat {
+    int node = -1;    ///< index into Model::nodes
+    double heat = 0;  ///< [energy]
+};
+
+/// What adaptive meshing is told of an element of the blank (page comment 3).
+struct AdaptiveElement {
+    double radius = 0;        ///< smallest tool radius at its nodes in contact [length]
+    double cosine = 1;        ///< of the sharpest angle between tool normals there [-]
+    double penetration = 0;   ///< largest p / g there [-]
+    double longest_edge = 0;  ///< of the element now [length]
+    bool divide = false;
 };
 
 /// Sums over the nodes of one cycle; forces on the tool. Each is the exact sum rounded once, so no order matters.
@@ -45,6 +65,8 @@ struct ContactSums {
     double friction_work = 0;        ///< of dt1 <v, F_t> in this cycle [energy]
     double damping_work = 0;         ///< of C v_n^2 dt1 in this cycle [energy]
     double friction_heat = 0;        ///< of Fheat q in this cycle, QFRIC's share [energy]
+    double heat_to_blank = 0;        ///< of all heat to nodes in this cycle [energy]
+    double heat_to_tool = 0;         ///< of all heat to tool nodes in this cycle [energy]
 };
 
 /// What the contact gives to its tool.
@@ -72,6 +94,11 @@ struct ContactStep {
     ToolLoad tool;
     std::vector<int> released;  ///< nodes (Model index) whose IBC translations are free from now on
     std::vector<InvertedNormal> inverted;
+    std::vector<ToolHeat>
+        tool_heat;  ///< by segment node, a node may come more than once; empty unless the tool is heated
+    std::vector<AdaptiveElement> adaptive;  ///< like the segments of the secondary surface; empty without Iadm
+    double smallest_gap_raw = 0;            ///< of g_s over the nodes, before Gapmin and Gapmax act [length]
+    double largest_gap_raw = 0;             ///< [length]
 };
 
 }  // namespace type21

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/contact/friction_filter.h"
 #include "reference/contact/friction_law.h"
 
 namespace type21::reference {
@@ -24,13 +25,23 @@ Friction::Friction(const Model& model, const Interface& interface)
     }
 }
 
-FrictionForce Friction::act(int i, const FrictionInput& input) {
+double Friction::coefficient(int i, const FrictionInput& input) const {
     const auto n = static_cast<size_t>(i);
-    const double mu = coulomb_coefficient(model_, interface_, part_[n], input.part_main);
-    const double limit = mu * std::abs(input.normal_force);
+    FrictionCoefficients coefficients = friction_coefficients(model_, interface_, part_[n], input.part_main);
+    if (interface_.ifric == 0) coefficients.fric *= input.temperature_factor;
+    const double area = interface_.secondary.area[n];
+    const double pressure = area > 0 ? input.normal_force / area : 0.0;
+    const Vec3 tangential = input.velocity - input.normal * input.velocity.dot(input.normal);
+    return friction_coefficient(interface_.ifric, coefficients, pressure, tangential.norm(), model_.as_built);
+}
+
+FrictionForce Friction::act(int i, const FrictionInput& input) {
+    const double limit = std::min(coefficient(i, input) * std::abs(input.normal_force), input.cap);
+    const double alpha = filter_constant(interface_, input.step, model_.as_built);
+    Vec3& remembered = force_[static_cast<size_t>(i)];
     const FrictionForce result =
-        friction_force(force_[n], input.stiffness, input.velocity, input.step, input.normal, limit);
-    force_[n] = result.force;
+        friction_force(remembered, alpha * input.stiffness, input.velocity, input.step, input.normal, limit);
+    remembered = result.force;
     return result;
 }
 

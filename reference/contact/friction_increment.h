@@ -7,24 +7,32 @@ namespace type21::reference {
 
 struct FrictionForce {
     Vec3 force = Vec3::Zero();  ///< F_t, on the tool [force]
+    Vec3 trial = Vec3::Zero();  ///< T [force]
     bool slips = false;         ///< the limit was reached
 };
 
-/// T = F_old + k v dt1, projected on the plane normal to nu, the old force with it;   F_t = T min(1, limit / |T|), 0
-/// where T = 0.
+/// T = F_old + alpha k v dt1, projected on the plane normal to nu, the old force with it;
+/// F_t = T min(1, limit / |T|), 0 where T = 0.
 /// @param old        F_t of the cycle before, global axes [force]
-/// @param stiffness  k of the increment [force/length]
+/// @param stiffness  alpha k of the increment [force/length]
 /// @param velocity   v of the node relative to the tool at X [velocity]
 /// @param step       dt1 [time]
 /// @param normal     nu [-]
-/// @param limit      mu |F_n| [force]
+/// @param limit      the smaller of mu |F_n| and what Pmax allows [force]
 inline FrictionForce friction_force(const Vec3& old, double stiffness, const Vec3& velocity, double step,
                                     const Vec3& normal, double limit) {
     Vec3 trial = old + velocity * (stiffness * step);
     trial -= normal * trial.dot(normal);
     const double size = trial.norm();
-    if (size <= limit || size == 0) return {trial, false};
-    return {trial * (limit / size), true};
+    if (size <= limit || size == 0) return {trial, trial, false};
+    return {trial * (limit / size), trial, true};
+}
+
+/// Energy that slip dissipates in this cycle: q = <T - F_t, F_t> / k, equation (19) without its factor Fheat.
+/// @param stiffness  k of the increment [force/length], 0: no increment, no slip
+/// @return [energy]
+inline double slip_energy(const FrictionForce& friction, double stiffness) {
+    return stiffness > 0 ? (friction.trial - friction.force).dot(friction.force) / stiffness : 0.0;
 }
 
 }  // namespace type21::reference

@@ -1,16 +1,76 @@
 #include "reference/contact/friction_law.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace type21::reference {
 
-double coulomb_coefficient(const Model& model, const Interface& interface, int part_secondary, int part_main) {
-    if (interface.friction_model < 0) return interface.fric;
+namespace {
+
+double viscous(const FrictionCoefficients& f, double p, double s) {
+    const auto& c = f.c;
+    return f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + c[4] * s * s;
+}
+
+double darmstadt(const FrictionCoefficients& f, double p, double s) {
+    const auto& c = f.c;
+    return f.fric + c[0] * std::exp(c[1] * s) * p * p + c[2] * std::exp(c[3] * s) * p + c[4] * std::exp(c[5] * s);
+}
+
+double renard(const FrictionCoefficients& f, double s) {
+    const auto& c = f.c;
+    if (s <= c[4]) {
+        const double x = s / c[4];
+        return c[0] + (c[2] - c[0]) * x * (2.0 - x);
+    }
+    if (s < c[5]) {
+        const double y = (s - c[4]) / (c[5] - c[4]);
+        return c[2] + (c[3] - c[2]) * y * y * (3.0 - 2.0 * y);
+    }
+    const double excess = s - c[5];
+    return c[1] - 1.0 / (1.0 / (c[1] - c[3]) + excess * excess);
+}
+
+double exponential_decay(const FrictionCoefficients& f, double s, bool reversed) {
+    const double amplitude = reversed ? f.c[0] - f.fric : f.fric - f.c[0];
+    return f.c[0] + amplitude * std::exp(-f.c[1] * s);
+}
+
+}  // namespace
+
+double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed,
+                            const AsBuilt& as_built) {
+    constexpr double floor = 1e-30;
+    switch (ifric) {
+        case 1:
+            return std::max(viscous(coefficients, pressure, speed), floor);
+        case 2:
+            return std::max(darmstadt(coefficients, pressure, speed), floor);
+        case 3:
+            return std::max(renard(coefficients, speed), floor);
+        case 4:
+            return std::max(exponential_decay(coefficients, speed, as_built.has(Departure::D10)), floor);
+        default:
+            return coefficients.fric;
+    }
+}
+
+FrictionCoefficients friction_coefficients(const Model& model, const Interface& interface, int part_secondary,
+                                           int part_main) {
+    if (interface.friction_model < 0) {
+        FrictionCoefficients card;
+        card.fric = interface.fric;
+        for (size_t i = 0; i < card.c.size(); ++i)
+            card.c[i] = interface.c[i];
+        return card;
+    }
     const FrictionModel& friction = model.friction_models[static_cast<size_t>(interface.friction_model)];
     for (const FrictionPair& pair : friction.pairs) {
         const bool as_listed = pair.part_a == part_secondary && pair.part_b == part_main;
         const bool swapped = pair.part_a == part_main && pair.part_b == part_secondary;
-        if (as_listed || swapped) return pair.coefficients.fric;
+        if (as_listed || swapped) return pair.coefficients;
     }
-    return friction.fallback.fric;
+    return friction.fallback;
 }
 
 }  // namespace type21::reference

@@ -1,14 +1,33 @@
-/// @file Friction coefficient (page comments 12, 13; formulation section 8).
+/// @file Friction coefficient as a function of pressure and speed (page comments 12 and 13, equations (7) to (11);
+/// formulation section 8).
 #pragma once
 
 #include "reference/model/model.h"
 
 namespace type21::reference {
 
-/// Coulomb, Ifric 0: mu = Fric, of the card or of the /FRICTION that replaces it: of the listed pair of parts, or else
-/// its default.
+/// Coulomb, Ifric 0: mu = Fric.
+/// Generalised viscous, Ifric 1, equation (10):
+///   mu = Fric + C1 p + C2 s + C3 p s + C4 p^2 + C5 s^2
+/// Modified Darmstadt, Ifric 2, equation (11):
+///   mu = Fric + C1 e^(C2 s) p^2 + C3 e^(C4 s) p + C5 e^(C6 s)
+/// Renard, Ifric 3: static C1, dynamic C2, maximum C3 at the speed C5, minimum C4 at the speed C6:
+///   s <= C5:      C1 + (C3 - C1) x (2 - x),           x = s / C5
+///   C5 < s < C6:  C3 + (C4 - C3) y^2 (3 - 2 y),       y = (s - C5) / (C6 - C5)
+///   s >= C6:      C2 - 1 / (1 / (C2 - C4) + (s - C6)^2)
+/// Exponential, Ifric 4 (not on the page): mu = C1 + (Fric - C1) e^(-C2 s); with D10 its sign is reversed, 2 C1 - Fric
+/// at rest. Laws 1 to 4 are floored at 1e-30.
+/// @param ifric     0..4
+/// @param pressure  F_n / A, damping included, negative where the damping pulls [pressure]
+/// @param speed     s = |v - v_n nu|, >= 0 [velocity]
+/// @return mu [-]
+double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed,
+                            const AsBuilt& as_built);
+
+/// Coefficients of the card, or of the /FRICTION that replaces it: of the listed pair of parts, or else its default.
 /// @param part_secondary  index into Model::parts of the node's part, -1: none
 /// @param part_main       of the main segment's part, -1: none
-double coulomb_coefficient(const Model& model, const Interface& interface, int part_secondary, int part_main);
+FrictionCoefficients friction_coefficients(const Model& model, const Interface& interface, int part_secondary,
+                                           int part_main);
 
 }  // namespace type21::reference

@@ -54,15 +54,33 @@ bool inside(const Barycentric<Number>& w, const ProjectionLimits<Number>& limits
     return !(w.b < limits.low) && !(w.c < limits.low) && !(sum > limits.high);
 }
 
+/// The numbers that decide, in the order in which they are met. The one met last is the one that rejected.
+enum class ProjectionStep {
+    height,          ///< H
+    corner_slopes,   ///< <n_A,N>, <n_B,N>, <n_C,N>
+    turn,            ///< <M,N>
+    lifted_weights,  ///< b', c'
+    slope,           ///< <n,N>
+    weights          ///< b, c
+};
+
+/// Who does not want to know the numbers of a projection: nothing is kept, nothing is computed for it.
+struct NoTrace {
+    template <class... Number>
+    void operator()(ProjectionStep, const Number&...) const {}
+};
+
 /// Projects P on the sub-triangle: lift the triangle to the node's height along the corner normals, read the weights
 /// there, interpolate the normal with them, and follow it down to the triangle.
+/// @param trace  called with each ProjectionStep and its numbers
 /// @return nothing where the sub-triangle rejects the node. Source: formulation section 3, steps 1 to 3.
-template <class Number>
+template <class Number, class Trace = NoTrace>
 std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTriangle<Number>& t,
-                                          const ProjectionLimits<Number>& limits) {
+                                          const ProjectionLimits<Number>& limits, Trace&& trace = Trace()) {
     const Number zero(0);
     const Vector<Number> ap = p - t.a;
     const Number height = ap.dot(t.area);
+    trace(ProjectionStep::height, height);
 
     // 1: lift A, B, C along their normals to the plane through P.
     Vector<Number> lifted_a = t.a;
@@ -72,6 +90,7 @@ std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTria
         Number slope_a = t.normal_a.dot(t.area);
         Number slope_b = t.normal_b.dot(t.area);
         Number slope_c = t.normal_c.dot(t.area);
+        trace(ProjectionStep::corner_slopes, slope_a, slope_b, slope_c);
         const bool leaning = !(slope_a > zero) || !(slope_b > zero) || !(slope_c > zero);
         if (leaning) {
             if (!limits.lift_leaning) return std::nullopt;
@@ -89,17 +108,22 @@ std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTria
     const Vector<Number> lifted_ab = lifted_b - lifted_a;
     const Vector<Number> lifted_ac = lifted_c - lifted_a;
     const Vector<Number> lifted_area = lifted_ab.cross(lifted_ac);
-    if (!(lifted_area.dot(t.area) > zero)) return std::nullopt;
+    const Number turn = lifted_area.dot(t.area);
+    trace(ProjectionStep::turn, turn);
+    if (!(turn > zero)) return std::nullopt;
     const Barycentric<Number> first = barycentric(p, lifted_a, lifted_b, lifted_c, lifted_area);
+    trace(ProjectionStep::lifted_weights, first.b, first.c);
     if (!inside(first, limits)) return std::nullopt;
 
     // 3: follow the interpolated normal down to the triangle.
     const Number first_a = Number(1) - first.b - first.c;
     const Vector<Number> normal = t.normal_a * first_a + t.normal_b * first.b + t.normal_c * first.c;
     const Number slope = normal.dot(t.area);
+    trace(ProjectionStep::slope, slope);
     if (!(slope > zero)) return std::nullopt;
     const Vector<Number> q = p - normal * (height / slope);
     const Barycentric<Number> weights = barycentric(q, t.a, t.b, t.c, t.area);
+    trace(ProjectionStep::weights, weights.b, weights.c);
     if (!inside(weights, limits)) return std::nullopt;
     return Projection<Number>{weights, normal, height, slope};
 }

@@ -39,10 +39,13 @@ struct Impact {
 
 /// True when `one` is retained rather than `other`: contact before proximity, then the smaller kappa, then the lower
 /// segment, then the lower sub-triangle. No two different impacts are equal, so the order of candidates cannot matter.
+/// @param one_race  D11: contact and proximity compete on kappa alone
 template <class Number>
-bool precedes(const Impact<Number>& one, const Impact<Number>& other) {
-    if (one.kind != other.kind)
+bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool one_race = false) {
+    const bool race = one_race && one.kind != Kind::none && other.kind != Kind::none;
+    if (one.kind != other.kind && !race) {
         return one.kind != Kind::none && (other.kind == Kind::none || one.kind == Kind::contact);
+    }
     if (one.kappa < other.kappa) return true;
     if (other.kappa < one.kappa) return false;
     if (one.segment != other.segment) return one.segment < other.segment;
@@ -53,7 +56,8 @@ bool precedes(const Impact<Number>& one, const Impact<Number>& other) {
 /// @param shape_of  rank of a segment -> SegmentShape<Number>
 template <class Number, class ShapeOf>
 Impact<Number> retained_impact(const Vector<Number>& p, std::span<const int> segments, const ShapeOf& shape_of,
-                               const Reach<Number>& reach, const ProjectionLimits<Number>& limits) {
+                               const Reach<Number>& reach, const ProjectionLimits<Number>& limits,
+                               bool one_race = false) {
     Impact<Number> best;
     for (const int segment : segments) {
         const SegmentShape<Number> shape = shape_of(segment);
@@ -65,7 +69,7 @@ Impact<Number> retained_impact(const Vector<Number>& p, std::span<const int> seg
             const Kind kind = classify(near, reach);
             if (kind == Kind::none) continue;
             const Impact<Number> impact{kind, segment, k, near.side, *projection, centrality(projection->weights)};
-            if (precedes(impact, best)) best = impact;
+            if (precedes(impact, best, one_race)) best = impact;
         }
     }
     return best;

@@ -62,7 +62,27 @@ void add_totals(const ContactSums& sums, double weight, InterfaceTotals& totals)
     totals.friction_heat += sums.friction_heat;
     totals.friction_energy += sums.friction_work - sums.friction_heat;
     totals.damping_energy += sums.damping_work;
+    totals.heat_to_blank += sums.heat_to_blank;
+    totals.heat_to_tool += sums.heat_to_tool;
     totals.elastic_energy = sums.elastic_energy;
+}
+
+/// T += heat / (nodal heat capacity); a node without capacity keeps its temperature.
+void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, HostState& state) {
+    if (state.temperature.empty() || model.nodal_heat_capacity.empty()) return;
+    const auto give = [&](int node, double heat) {
+        const auto n = static_cast<size_t>(node);
+        const double capacity = model.nodal_heat_capacity[n];
+        if (capacity > 0) state.temperature[n] += heat / capacity;
+    };
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const auto& nodes = model.interfaces[i].secondary.node;
+        for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
+            if (steps[i].nodes[n].heat != 0) give(nodes[n], steps[i].nodes[n].heat);
+        }
+        for (const ToolHeat& heat : steps[i].tool_heat)
+            give(heat.node, heat.heat);
+    }
 }
 
 void release(const Model& model, const std::vector<ContactStep>& steps, HostState& state) {
@@ -111,6 +131,8 @@ void check_finite(const Model& model, const HostState& state, const std::vector<
     for (size_t n = 0; n < state.position.size(); ++n) {
         if (!state.position[n].allFinite()) stop("position", static_cast<int>(n));
         if (!state.velocity[n].allFinite()) stop("velocity", static_cast<int>(n));
+        if (!state.temperature.empty() && !std::isfinite(state.temperature[n]))
+            stop("temperature", static_cast<int>(n));
     }
 }
 
@@ -139,7 +161,7 @@ void check_normals(const Model& model, const HostState& state, const std::vector
 
 }  // namespace
 
-void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe) {
+void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe, const MarchOptions& options) {
     const Model& model = *scene.model;
     std::vector<std::unique_ptr<ContactMethod>> contacts;
     for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)
@@ -149,7 +171,13 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
     TimeStep time_step(scene);
     std::vector<InterfaceTotals> totals(contacts.size());
 
+    if (options.thickness != nullptr) {
+        for (const Shell& shell : model.shells)
+            state.thickness.push_back(shell.thickness);
+    }
+
     while (state.time <= model.engine.end_time) {
+        state.impose_temperatures(model);
         const Motion motion = state.motion(model);
         std::vector<ContactStep> steps;
         steps.reserve(contacts.size());
@@ -169,6 +197,9 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
         HostState next = state;
         release(model, steps, next);
         advance(model, forces_of(model, state, steps), step, next);
+        heat_nodes(model, steps, next);
+        // The thickness of the next contact is that of the end of this cycle.
+        if (options.thickness != nullptr) options.thickness->at(state.time, next.thickness);
         CycleRecord record;
         record.cycle = state.cycle;
         record.time = state.time;
@@ -182,6 +213,7 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
         record.acceleration = &next.acceleration;
         record.reaction = &next.reaction;
         record.reaction_moment = &next.reaction_moment;
+        record.temperature = &next.temperature;
         record.last = next.time > model.engine.end_time;
         observe(record);
         check_normals(model, state, steps);

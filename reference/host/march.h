@@ -9,6 +9,7 @@
 
 #include "reference/contact/contact.h"
 #include "reference/host/motion.h"
+#include "reference/host/thickness_history.h"
 #include "reference/model/scene.h"
 
 namespace type21 {
@@ -25,6 +26,8 @@ struct InterfaceTotals {
     double elastic_energy = 0;  ///< of this cycle
     double friction_energy = 0;
     double damping_energy = 0;
+    double heat_to_blank = 0;
+    double heat_to_tool = 0;
 };
 
 /// What is known at the end of cycle n: x_n, v_{n-1/2} and the sums including cycle n.
@@ -41,6 +44,7 @@ struct CycleRecord {
     const std::vector<Vec3>* acceleration = nullptr;      ///< per node
     const std::vector<Vec3>* reaction = nullptr;          ///< per node, cumulative impulse REAC
     const std::vector<Vec3>* reaction_moment = nullptr;   ///< per node
+    const std::vector<double>* temperature = nullptr;     ///< per node, after the heat of the cycle; empty without heat
     bool last = false;
 };
 
@@ -54,8 +58,14 @@ struct RunStopped : std::runtime_error {
     Why why;
 };
 
+/// What a run may be given beside its scene.
+struct MarchOptions {
+    const ThicknessHistory* thickness = nullptr;  ///< of the shells over time, for Igap 2 and Idel
+};
+
 /// Runs the scene to its end time. observe is called once a cycle, before the next one starts.
 /// @throws RunStopped naming node, cycle and time; what was observed so far stays valid.
-void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe);
+void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe,
+           const MarchOptions& options = {});
 
 }  // namespace type21

@@ -2,6 +2,30 @@
 
 namespace type21 {
 
+namespace {
+
+/// T0 of the material of each node's shells, then /INITEMP. Nothing in a model without heat.
+std::vector<double> initial_temperatures(const Model& model) {
+    if (model.nodal_heat_capacity.empty() && model.initial_temperatures.empty() && model.imposed_temperatures.empty())
+        return {};
+    std::vector<double> temperature(static_cast<size_t>(model.nodes.size()), 0.0);
+    for (const Shell& shell : model.shells) {
+        const Material& material =
+            model.materials[static_cast<size_t>(model.parts[static_cast<size_t>(shell.part)].material)];
+        if (!material.heat) continue;
+        for (const int node : shell.node)
+            temperature[static_cast<size_t>(node)] = material.heat->initial_temperature;
+    }
+    for (const InitialTemperature& initial : model.initial_temperatures) {
+        for (const int node : model.groups[static_cast<size_t>(initial.group)].nodes) {
+            temperature[static_cast<size_t>(node)] = initial.temperature;
+        }
+    }
+    return temperature;
+}
+
+}  // namespace
+
 HostState::HostState(const Model& model)
     : conditions(node_conditions(model)), body(bodies_of_nodes(model)), start(model.nodes.position) {
     const auto count = static_cast<size_t>(model.nodes.size());
@@ -21,6 +45,24 @@ HostState::HostState(const Model& model)
         bodies.push_back(state);
     }
     carry_body_nodes(model);
+    temperature = initial_temperatures(model);
+}
+
+void HostState::impose_temperatures(const Model& model) {
+    if (temperature.empty()) return;
+    for (const ImposedTemperature& imposed : model.imposed_temperatures) {
+        double begin = 0;
+        if (imposed.sensor >= 0) {
+            const TimeSensor& sensor = model.sensors[static_cast<size_t>(imposed.sensor)];
+            if (!sensor.on(time)) continue;
+            begin = sensor.delay;
+        }
+        if (time < imposed.start || time > imposed.stop) continue;
+        const double value =
+            imposed.scale_y * model.functions[static_cast<size_t>(imposed.function)]((time - begin) / imposed.scale_x);
+        for (const int node : model.groups[static_cast<size_t>(imposed.group)].nodes)
+            temperature[static_cast<size_t>(node)] = value;
+    }
 }
 
 void HostState::carry_body_nodes(const Model& model) {
@@ -49,6 +91,8 @@ Motion HostState::motion(const Model& model) const {
     m.friction_step = model.as_built.has(Departure::D25) ? weight_before : step;
     m.position = position;
     m.velocity = velocity;
+    m.thickness = thickness;
+    m.temperature = temperature;
     for (const BodyState& state : bodies) {
         // D24: the orientation is one step older than the position.
         const Rotation& rotation = model.as_built.has(Departure::D24) ? state.rotation_before : state.rotation;

@@ -36,6 +36,8 @@ struct HostState {
     std::vector<Vec3> reaction;          ///< REAC, cumulative impulse [force time]
     std::vector<Vec3> reaction_moment;   ///< [moment time]
     std::vector<BodyState> bodies;
+    std::vector<double> thickness;  ///< of each shell at the end of the cycle before; empty while none changes [length]
+    std::vector<double> temperature;  ///< of each node; empty in a scene without heat [temperature]
 
     double time = 0;
     double step = 0;           ///< dt1
@@ -43,6 +45,8 @@ struct HostState {
     long cycle = 0;
 
     Motion motion(const Model& model) const;
+    /// Gives the nodes of /IMPTEMP their temperature of t_n.
+    void impose_temperatures(const Model& model);
 };
 
 }  // namespace type21

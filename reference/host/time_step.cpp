@@ -13,10 +13,11 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// c: Igap 0: max(g, 0.1 max(DEPTH, Drad, g)); else max(Gapmin, least g_s, 0.1 max(DEPTH, Drad, largest g_s)).
-double reach_of(const Interface& interface) {
-    const double far = std::max({double(interface.depth), double(interface.drad), interface.largest_gap});
+/// @param smallest, largest  of g_s over the nodes [length]
+double reach_of(const Interface& interface, double smallest, double largest) {
+    const double far = std::max({double(interface.depth), double(interface.drad), largest});
     if (interface.igap == 0) return std::max(interface.largest_gap, 0.1 * far);
-    return std::max({double(interface.gapmin), interface.smallest_gap_raw, 0.1 * far});
+    return std::max({double(interface.gapmin), smallest, 0.1 * far});
 }
 
 double stable_step(double mass, double stiffness) {
@@ -28,7 +29,7 @@ double stable_step(double mass, double stiffness) {
 TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
     const Model& model = *scene.model;
     for (const Interface& interface : model.interfaces) {
-        reach_.push_back(reach_of(interface));
+        reach_.push_back(reach_of(interface, interface.smallest_gap_raw, interface.largest_gap));
         const Vec3 center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
         Vec3 farthest = Vec3::Zero();
         for (const int node : interface.main_nodes) {
@@ -42,13 +43,14 @@ TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
 double TimeStep::next(const HostState& state, const std::vector<ContactStep>& contacts) {
     const EngineControl& engine = scene_.model->engine;
     limits_.nodal = engine.step_scale * nodal_limit(state, contacts);
-    limits_.kinematic = kinematic_limit(state);
+    limits_.kinematic = kinematic_limit(state, contacts);
+    limits_.thermal = engine.step_scale * thermal_limit(contacts);
     const bool first = state.cycle == 0;
     const double largest = engine.largest_step.value_or(0.0);
     const double initial = engine.first_step.value_or(0.0);
     if (largest > 0 && initial == largest) return largest;
     if (first && initial > 0) return initial;
-    double step = std::min(limits_.nodal, limits_.kinematic);
+    double step = std::min({limits_.nodal, limits_.kinematic, limits_.thermal});
     if (largest > 0) step = std::min(step, largest);
     if (engine.history_interval > 0) step = std::min(step, engine.history_interval);
     return step;
@@ -81,13 +83,16 @@ double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactSt
     return limit;
 }
 
-double TimeStep::kinematic_limit(const HostState& state) {
+double TimeStep::kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts) {
     const Model& model = *scene_.model;
     double limit = infinite;
     for (size_t i = 0; i < model.interfaces.size(); ++i) {
         const Interface& interface = model.interfaces[i];
         const BodyState& tool = state.bodies[static_cast<size_t>(interface.tool)];
-        reach_[i] = std::min(reach_[i], reach_of(interface));
+        if (contacts[i].active) {
+            reach_[i] =
+                std::min(reach_[i], reach_of(interface, contacts[i].smallest_gap_raw, contacts[i].largest_gap_raw));
+        }
         Vec3 low = Vec3::Constant(infinite);
         Vec3 high = Vec3::Constant(-infinite);
         for (const int node : interface.secondary.node) {
@@ -98,6 +103,23 @@ double TimeStep::kinematic_limit(const HostState& state) {
         const Vec3 arm = tool.rotation.toRotationMatrix() * farthest_[i];
         const double speed = range.norm() + tool.angular_velocity.cross(arm).norm();
         if (speed > 0) limit = std::min(limit, 0.9 * reach_[i] / speed);
+    }
+    return limit;
+}
+
+double TimeStep::thermal_limit(const std::vector<ContactStep>& contacts) const {
+    const Model& model = *scene_.model;
+    double limit = infinite;
+    if (model.nodal_heat_capacity.empty()) return limit;
+    std::vector<double> conductance(model.nodal_heat_capacity.size(), 0.0);
+    for (size_t i = 0; i < contacts.size(); ++i) {
+        for (size_t n = 0; n < contacts[i].nodes.size(); ++n) {
+            conductance[static_cast<size_t>(model.interfaces[i].secondary.node[n])] += contacts[i].nodes[n].conductance;
+        }
+    }
+    for (size_t n = 0; n < conductance.size(); ++n) {
+        const double capacity = model.nodal_heat_capacity[n];
+        if (capacity > 0 && conductance[n] > 0) limit = std::min(limit, 2.0 * capacity / conductance[n]);
     }
     return limit;
 }

@@ -12,6 +12,7 @@ namespace type21 {
 struct StepLimits {
     double nodal = 0;      ///< scale * sqrt(2 m / K) over nodes and tools [time]
     double kinematic = 0;  ///< 0.9 c / v_max over the interfaces [time]
+    double thermal = 0;    ///< scale * 2 C / conductance over the nodes of the blank [time]
 };
 
 /// Remembers the smallest c of each interface.
@@ -20,8 +21,8 @@ class TimeStep {
     explicit TimeStep(const Scene& scene);
 
     /// dt2 after the contact of cycle n: the constant step of /DTIX when its two values are equal; else the first value
-    /// in the first cycle, and then the least of the nodal limit, the kinematic limit, the second value of /DTIX and
-    /// the /TFILE interval.
+    /// in the first cycle, and then the least of the nodal, the kinematic and the thermal limit, the second value of
+    /// /DTIX and the /TFILE interval.
     double next(const HostState& state, const std::vector<ContactStep>& contacts);
 
     /// Limits of the last call of next().
@@ -29,7 +30,8 @@ class TimeStep {
 
   private:
     double nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const;
-    double kinematic_limit(const HostState& state);
+    double kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts);
+    double thermal_limit(const std::vector<ContactStep>& contacts) const;
 
     Scene scene_;
     std::vector<double> reach_;   ///< smallest c so far, per interface [length]

@@ -9,12 +9,6 @@
 namespace type21 {
 namespace {
 
-constexpr std::string_view no_varying_gap =
-    "this version has no Igap 2: the effect comes with the gap that changes in time";
-constexpr std::string_view no_filter = "this version has no friction filter: the effect comes with Ifiltr";
-constexpr std::string_view no_law = "this version has no Ifric 1 to 4: the effect comes with the friction laws";
-constexpr std::string_view no_heat = "this version has no heat exchange: the effect comes with Ithe";
-constexpr std::string_view no_adaptive = "this version has no adaptive meshing data: the effect comes with Iadm";
 constexpr std::string_view not_reproduced =
     "not reproduced: the measured result hangs on memory, on the model beside the interface or on chance";
 
@@ -34,25 +28,21 @@ std::vector<DepartureRow> make_table() {
             "they use S without Stfac; Istf 1: 1 in deck units"),
         yes(D05, "elastic energy is half k p squared for Istf 1 too",
             "Istf 1 with Igap 0 or 1: Stfac raised to the power p squared for each node with stiffness"),
-        no(D06, "Ifiltr 3: the filter factor is the smaller of 1 and 2 pi f dt", "the larger of the two", no_filter),
-        no(D07, "Ifiltr 2: the filter factor is 2 pi Xfreq, Xfreq between 0 and 1", "2 pi / Xfreq, an error below 2 pi",
-           no_filter),
-        no(D08, "fct_IDF is taken at AscaleF times the mean temperature",
-           "AscaleF is unused and the main side has Tint", no_heat),
+        yes(D06, "Ifiltr 3: the filter factor is the smaller of 1 and 2 pi f dt", "the larger of the two"),
+        yes(D07, "Ifiltr 2: the filter factor is 2 pi Xfreq, Xfreq between 0 and 1", "2 pi / Xfreq, an error below 2 pi"),
+        yes(D08, "fct_IDF is taken at AscaleF times the mean temperature",
+           "AscaleF is unused and the main side has Tint"),
         yes(D09, "sens_ID replaces Tstart and Tstop", "the sensor is ignored, Tstart and Tstop stay"),
-        no(D10, "Ifric 4 decays from Fric to C1", "the sign is reversed: 2 C1 - Fric at rest", no_law),
-        no(D11, "contact comes before proximity, proximity gives no force",
-           "one race of both; a node near the tool may get a force from a proximity",
-           "this version has no heat exchange: without a reach beyond the gap there is no proximity, so it changes "
-           "nothing"),
+        yes(D10, "Ifric 4 decays from Fric to C1", "the sign is reversed: 2 C1 - Fric at rest"),
+        yes(D11, "contact comes before proximity, proximity gives no force",
+            "one race of both; a node near the tool may get a force from a proximity"),
         yes(D12, "the contact normal is the interpolated normal",
             "the contact normal is the direction from the contact point to the node: noise near the surface"),
         yes(D13, "tool damping uses the sum of k", "tool damping uses the sum of k + C/dt"),
-        no(D14, "Fcond without Dcond: Dcond is Drad", "Dcond stays 0", no_heat),
-        no(D15, "radiation while the distance is at most Drad", "while the distance less the gap is at most Drad",
-           no_heat),
-        no(D16, "friction heat goes to the secondary side", "Ithe_form 1: in full to the tool as well", no_heat),
-        no(D17, "the conditions on C1..C6 of the Renard law are checked", "they are not checked", no_law),
+        yes(D14, "Fcond without Dcond: Dcond is Drad", "Dcond stays 0"),
+        yes(D15, "radiation while the distance is at most Drad", "while the distance less the gap is at most Drad"),
+        yes(D16, "friction heat goes to the secondary side", "Ithe_form 1: in full to the tool as well"),
+        yes(D17, "the conditions on C1..C6 of the Renard law are checked", "they are not checked"),
         yes(D18, "a node on both sides is an error", "it is accepted"),
         yes(D19, "Gapmin default: half of the mean thickness of the secondary shells",
             "half of the mean over the secondary nodes of the thickest shell at each"),
@@ -69,14 +59,14 @@ std::vector<DepartureRow> make_table() {
         yes(D26, "Inacti 6 holds for every impact", "it becomes plain when nothing penetrates at time 0"),
         no(D27, "Igap other than 0, 1, 2 is an error", "it is accepted, with a result that nothing explains",
            not_reproduced),
-        no(D28, "/FRICTION filters with its own Xfreq", "the filter factor is that of the interface card", no_filter),
+        yes(D28, "/FRICTION filters with its own Xfreq", "the filter factor is that of the interface card"),
         yes(D29, "contact thickness of a node: the largest of its parts",
             "corner by corner against the four nodes of lowest id: mostly that of the last segment"),
-        no(D30, "Igap 2: the gap follows the current thickness, then Gapmin and Gapmax bound it",
-           "the bounded gap of time 0 plus the change of thickness, bounded again", no_varying_gap),
+        yes(D30, "Igap 2: the gap follows the current thickness, then Gapmin and Gapmax bound it",
+           "the bounded gap of time 0 plus the change of thickness, bounded again"),
         yes(D31, "the first penetration comes from the projection of every cycle",
             "from another projection at time 0 with wider margins"),
-        no(D32, "Fcond scales the coefficient in series with the sheet", "it scales the whole conductance", no_heat),
+        yes(D32, "Fcond scales the coefficient in series with the sheet", "it scales the whole conductance"),
         yes(D33, "a node's own gap decides contact",
             "the larger of its gap and the largest gap of the interface decides"),
         yes(D34, "every segment competes for a node",
@@ -84,9 +74,8 @@ std::vector<DepartureRow> make_table() {
             "over narrow convex strips"),
         yes(D35, "a nodal normal that does not face outward rejects the sub-triangle",
             "it is lifted with a tiny number in its place and often accepted"),
-        no(D36, "Kthe 0 with fct_IDK means no conduction", "it means 1", no_heat),
-        no(D37, "divide where the tool radius is below NRadm times the longest edge", "below root 2 times that",
-           no_adaptive),
+        yes(D36, "Kthe 0 with fct_IDK means no conduction", "it means 1"),
+        yes(D37, "divide where the tool radius is below NRadm times the longest edge", "below root 2 times that"),
     };
 }
 

@@ -60,6 +60,8 @@ struct Interface {
     // line 6
     Sourced<int> ifric, ifiltr;
     Sourced<double> xfreq;
+    int card_ifiltr = 0;    ///< as the card has them, also where /FRICTION replaces them (D28)
+    double card_xfreq = 0;
     Sourced<Id> sens_id, fct_idf;
     Sourced<double> ascalef;
     Sourced<Id> fric_id;

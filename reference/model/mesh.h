@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -25,6 +26,14 @@ struct Nodes {
 
 enum class MaterialLaw { none = 0, elastic = 1, johnson_cook = 2 };  ///< Radioss law numbers 0 (void), 1, 2
 
+/// /HEAT/MAT: what makes a material thermal.
+struct HeatMaterial {
+    double initial_temperature = 0;  ///< T0 [temperature]
+    double heat_capacity = 0;        ///< rho Cp [energy/(volume temperature)]
+    double conductivity_a = 0;       ///< A_S [power/(length temperature)]
+    double conductivity_b = 0;       ///< B_S [power/(length temperature^2)]
+};
+
 struct Material {
     Id id = 0;
     std::string title;
@@ -33,6 +42,7 @@ struct Material {
     double young = 0;          ///< [pressure]
     double poisson = 0;        ///< [-]
     std::array<double, 5> plastic{};  ///< Johnson-Cook a, b, n, epsmax, sigmax
+    std::optional<HeatMaterial> heat;
 };
 
 enum class PropertyKind { none = 0, shell = 1 };

@@ -62,12 +62,15 @@ struct Model {
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ConcentratedLoad> loads;
     std::vector<AddedMass> added_masses;
+    std::vector<InitialTemperature> initial_temperatures;
+    std::vector<ImposedTemperature> imposed_temperatures;
     std::vector<FrictionModel> friction_models;
     std::vector<Interface> interfaces;
     std::vector<HistoryRequest> histories;
     EngineControl engine;
 
-    std::vector<double> nodal_mass;  ///< lumped shell mass and added masses, per node [mass]
+    std::vector<double> nodal_mass;           ///< lumped shell mass and added masses, per node [mass]
+    std::vector<double> nodal_heat_capacity;  ///< rho Cp with the shares of the mass; empty without /HEAT/MAT [energy/temperature]
 };
 
 /// Reads meaning into a deck. All problems are collected; the model is complete only when problems has no error.

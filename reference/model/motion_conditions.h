@@ -63,6 +63,25 @@ struct AddedMass {
     int group = -1;
 };
 
+/// /INITEMP: temperature of a group at time 0.
+struct InitialTemperature {
+    Id id = 0;
+    double temperature = 0;
+    int group = -1;
+};
+
+/// /IMPTEMP: scale_y * f(t / scale_x), t since its sensor switched on, from start to stop.
+struct ImposedTemperature {
+    Id id = 0;
+    int function = -1;
+    int group = -1;
+    int sensor = -1;
+    double scale_x = 1;  ///< [time]
+    double scale_y = 1;  ///< [temperature]
+    double start = 0;    ///< [time]
+    double stop = 1e30;  ///< [time]
+};
+
 /// On from `delay` on (and off again at `stop`).
 struct TimeSensor {
     Id id = 0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,25 +26,31 @@ double area(const Model& model, const Shell& shell) {
     return 0.5 * d1.cross(d2).norm();
 }
 
-}  // namespace
-
-/// Nodal mass [mass] (formulation 7).
-///   quad:     rho t A_e / 4 to each node
-///   triangle: rho t A_e (corner angle) / pi
-/// plus the added masses. Void material counts with its density.
-void sum_nodal_mass(Model& model) {
-    std::vector<double>& mass = model.nodal_mass;
-    mass.assign(static_cast<size_t>(model.nodes.size()), 0.0);
+/// Gives each node its share of what its shells hold:
+///   quad:     q t A_e / 4 to each node
+///   triangle: q t A_e (corner angle) / pi
+/// @param per_volume  q of a material: its density, or its heat capacity of a volume
+template <class PerVolume>
+void lump(const Model& model, PerVolume&& per_volume, std::vector<double>& sum) {
+    sum.assign(static_cast<size_t>(model.nodes.size()), 0.0);
     for (const Shell& shell : model.shells) {
         const int material = model.parts[static_cast<size_t>(shell.part)].material;
         if (material < 0) continue;
-        const double shell_mass =
-            model.materials[static_cast<size_t>(material)].density * shell.thickness * area(model, shell);
+        const double held =
+            per_volume(model.materials[static_cast<size_t>(material)]) * shell.thickness * area(model, shell);
         for (int i = 0; i < shell.corners(); ++i) {
             const double share = shell.is_triangle() ? corner_angle(model, shell, i) / std::numbers::pi : 0.25;
-            mass[static_cast<size_t>(shell.node[static_cast<size_t>(i)])] += shell_mass * share;
+            sum[static_cast<size_t>(shell.node[static_cast<size_t>(i)])] += held * share;
         }
     }
+}
+
+}  // namespace
+
+/// Nodal mass [mass] (formulation 7): lumped density plus the added masses. Void material counts with its density.
+void sum_nodal_mass(Model& model) {
+    std::vector<double>& mass = model.nodal_mass;
+    lump(model, [](const Material& material) { return material.density; }, mass);
     for (const AddedMass& added : model.added_masses) {
         if (added.group < 0) continue;
         const std::vector<int>& nodes = model.groups[static_cast<size_t>(added.group)].nodes;
@@ -51,6 +58,17 @@ void sum_nodal_mass(Model& model) {
         for (const int node : nodes)
             mass[static_cast<size_t>(node)] += each;
     }
+}
+
+/// Nodal heat capacity [energy/temperature] (formulation 9): lumped rho Cp with the shares of the mass, void material with
+/// /HEAT/MAT too. Empty when no material is thermal.
+void sum_nodal_heat_capacity(Model& model) {
+    model.nodal_heat_capacity.clear();
+    if (std::none_of(model.materials.begin(), model.materials.end(), [](const Material& m) { return m.heat.has_value(); }))
+        return;
+    lump(
+        model, [](const Material& material) { return material.heat ? material.heat->heat_capacity : 0.0; },
+        model.nodal_heat_capacity);
 }
 
 }  // namespace type21

@@ -143,6 +143,20 @@ void read_objects(Reading& reading, CardReader& reader, size_t line, const Regis
     }
 }
 
+/// Temperatures exist only where an interface exchanges heat.
+bool is_thermal(const Model& model) {
+    return std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                       [](const Interface& interface) { return interface.ithe > 0; });
+}
+
+void drop_temperature(const Model& model, CardReader& reader, HistoryRequest& request) {
+    const auto found = std::find(request.variables.begin(), request.variables.end(), "TEMP");
+    if (found == request.variables.end() || is_thermal(model)) return;
+    request.variables.erase(found);
+    reader.warning(-1, "var", "TEMP", "no interface exchanges heat (Ithe), so there are no temperatures; it is not written",
+                   "Take TEMP out, or set Ithe");
+}
+
 /// The interfaces as another reader left them, and the ids of those that were refused.
 void note_interfaces(Reading& reading) {
     for (size_t i = 0; i < reading.model.interfaces.size(); ++i) {
@@ -180,7 +194,10 @@ void read_histories(Reading& reading) {
              read_objects(reading, reader, line, reading.interfaces, request);
          });
     read(Keyword::history_node, Kind::node, node_variables(),
-         [&](CardReader& reader, size_t line, HistoryRequest& request) { read_nodes(reading, reader, line, request); });
+         [&](CardReader& reader, size_t line, HistoryRequest& request) { 
+             read_nodes(reading, reader, line, request);
+             drop_temperature(reading.model, reader, request);
+         });
     read(Keyword::history_rigid_body, Kind::rigid_body, body_variables(),
          [&](CardReader& reader, size_t line, HistoryRequest& request) {
              read_objects(reading, reader, line, reading.rigid_bodies, request);

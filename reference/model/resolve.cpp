@@ -69,13 +69,16 @@ Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems) {
     check_vocabulary(reading);
     read_functions(reading);
     read_materials(reading);
+    read_heat_materials(reading);
     read_mesh(reading);
     read_surfaces(reading);
     read_groups(reading);
     read_conditions(reading);
     read_loads(reading);
+    read_temperatures(reading);
     read_friction(reading);
     sum_nodal_mass(model);
+    sum_nodal_heat_capacity(model);
     read_rigid_bodies(reading);
     resolve_interfaces(deck, model, problems);
     read_histories(reading);

@@ -14,7 +14,15 @@ namespace type21 {
 enum class Effect {
     elastic,           ///< penalty force (always)
     damping,           ///< VISs
-    coulomb,           ///< Fric
+    friction,          ///< Fric, Ifric 1 to 4, /FRICTION
+    friction_filter,   ///< Ifiltr
+    friction_heat_factor,  ///< fct_IDF
+    gap_growth,        ///< Igap 2
+    pmax_limit,        ///< Pmax, with Igap 2
+    skid_line,         ///< Pskid
+    heat,              ///< Ithe
+    adaptive_data,     ///< Iadm
+    deletion,          ///< Idel
     release_bcs,       ///< IBC
     normals_test,      ///< Invn
     tool_damping,      ///< Damp, Dampr

@@ -22,6 +22,7 @@ enum class Keyword {
     material_elastic,
     material_johnson_cook,
     material_void,
+    material_heat,
     surface_part,
     surface_segment,
     surface_surface,
@@ -36,6 +37,8 @@ enum class Keyword {
     initial_velocity,
     added_mass_each,
     added_mass_shared,
+    initial_temperature,
+    imposed_temperature,
     load,
     function,
     sensor,
@@ -59,7 +62,7 @@ struct KeywordMatch {
 /// The longest entry of the vocabulary that the card's words begin with.
 KeywordMatch match(const Card& card);
 
-/// "/HEAT/MAT" of "/HEAT/MAT/3/1": the keyword without its ids.
+/// "/MAT/ELAST" of "/MAT/ELAST/3/1": the keyword without its ids.
 std::string keyword_without_ids(const Card& card);
 
 }  // namespace type21
