@@ -134,6 +134,18 @@ ContactStep Contact::step(const Motion& motion) {
     return step;
 }
 
+std::vector<RoomSize> Contact::rooms() const {
+    const State& state = *state_;
+    std::vector<RoomSize> rooms{{Effect::elastic, sizeof(NodeConstants) + sizeof(PenetrationHistory)}};
+    if (state.gap_growth) rooms.push_back({Effect::gap_growth, GapGrowth::bytes_per_node()});
+    if (state.friction) rooms.push_back({Effect::friction, Friction::bytes_per_node()});
+    if (state.skid_line) rooms.push_back({Effect::skid_line, SkidLine::bytes_per_node()});
+    if (state.heat_exchange) rooms.push_back({Effect::heat, HeatExchange::bytes_per_node()});
+    if (state.release) rooms.push_back({Effect::release_bcs, Release::bytes_per_node()});
+    if (state.deletion) rooms.push_back({Effect::deletion, Deletion::bytes_per_node()});
+    return rooms;
+}
+
 std::vector<InitialPenetration> Contact::initial_penetrations() const {
     return initial_penetrations(state_->model->nodes.position);
 }

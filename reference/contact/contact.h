@@ -19,6 +19,12 @@ struct InitialPenetration {
     Vec3 normal = Vec3::Zero();
 };
 
+/// What an effect holds per secondary node.
+struct RoomSize {
+    Effect effect = Effect::elastic;
+    size_t bytes_per_node = 0;
+};
+
 /// What the host, the harness and the command line see of a contact.
 class ContactMethod {
   public:
@@ -27,6 +33,8 @@ class ContactMethod {
     /// The nodes that penetrate at time 0 with the nodes at `position` (indexed like Model::nodes); nothing is
     /// remembered.
     virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
+    /// The effects that hold anything, and how much.
+    virtual std::vector<RoomSize> rooms() const = 0;
 };
 
 namespace reference {
@@ -40,6 +48,7 @@ class Contact final : public ContactMethod {
     ContactStep step(const Motion& motion) override;
 
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
+    std::vector<RoomSize> rooms() const override;
     /// In the positions of the Model.
     std::vector<InitialPenetration> initial_penetrations() const;
 

@@ -32,7 +32,7 @@ struct NodeContact {
     Vec3 friction = Vec3::Zero();           ///< F_t, on the tool [force]
     Vec3 force = Vec3::Zero();              ///< on the node: F_n nu - F_t [force]
     double step_stiffness = 0;              ///< k + C/dt1, for the time step [force/length]
-    double skid = 0;                        ///< skid ratio of this cycle [-]
+    double skid = 0;                        ///< largest skid ratio since the start [-]
     double friction_heat = 0;               ///< Fheat q of this cycle [energy]
     double heat = 0;                        ///< to the node from tool and friction in this cycle [energy]
     double conductance = 0;                 ///< A / (d/k_s + 1/K), for the thermal step [power/temperature]

@@ -17,6 +17,7 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
 
     NodeContact out;
     out.gap = node.gap;
+    if (skid_line) out.skid = skid_line->largest(i);
     const auto forget = [&] {
         history = {};
         if (friction) friction->forget(i);
@@ -123,8 +124,7 @@ void Contact::State::friction_force(int i, const Motion& motion, bool acts, Node
     if (heat_exchange) out.friction_heat = card().fheat * slip_energy(tangential, input.stiffness);
     if (skid_line) {
         const double area = card().secondary.area[static_cast<size_t>(i)];
-        out.skid = skid_ratio(tangential.slips, out.friction.norm(), card().pskid, area);
-        skid_line->record(i, out.skid);
+        out.skid = skid_line->record(i, skid_ratio(tangential.slips, out.friction.norm(), card().pskid, area));
     }
 }
 

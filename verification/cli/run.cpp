@@ -13,19 +13,19 @@ namespace type21::cli {
 namespace {
 
 struct Options {
-    std::string deck, out, as_built, with = "reference";
+    std::string deck, out, as_built, thickness, with = "reference";
     bool quiet = false;
 };
 
 int run(const Options& options) {
-    const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true);
+    const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
     const Scene& scene = *prepared.scene;
     Progress progress(scene.model->units.name(dim::time));
     std::function<void(const RunProgress&)> report;
     if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
-    const RunSummary summary = run_scene(scene, prepared.problems, options.out, report);
+    const RunSummary summary = run_scene(scene, prepared.problems, options.out, report, prepared.options());
     progress.finish();
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
@@ -44,6 +44,10 @@ void add_run(CLI::App& app, int& exit_code) {
     verb->add_option("--out", options->out, "folder for the results; those of an earlier run in it are replaced")
         ->required();
     add_as_built(*verb, options->as_built);
+    verb->add_option(
+        "--thickness", options->thickness,
+        "CSV of the shells' thickness: time and one column for each element id, the value at the end of the "
+        "cycle at that time; for Igap 2 and Idel");
     verb->add_option("--with", options->with, "who computes the contact")
         ->check(CLI::IsMember({"reference"}))
         ->capture_default_str();

@@ -57,13 +57,45 @@ const Residual* find_residual(const InterfaceBalance& balance, std::string_view 
     if (name == "power") return &balance.power;
     if (name == "CE_DAMP") return &balance.damping_energy;
     if (name == "CE_FRIC") return &balance.friction_energy;
+    if (name == "heat") return &balance.heat;
     return nullptr;
 }
 
 BalanceObserver::BalanceObserver(const Scene& scene)
     : model_(*scene.model), balance_(model_.interfaces.size()), energies_(model_.interfaces.size()) {}
 
+void BalanceObserver::observe_heat(const CycleRecord& record) {
+    const auto& capacity = model_.nodal_heat_capacity;
+    if (record.temperature == nullptr || record.temperature->empty() || capacity.empty()) return;
+    double stored = 0;
+    double given = 0;
+    double terms = 0;
+    const auto give = [&](int node, double heat) {
+        if (!(capacity[static_cast<size_t>(node)] > 0)) return;
+        given += heat;
+        terms += std::abs(heat);
+    };
+    for (size_t i = 0; i < balance_.size(); ++i) {
+        const ContactStep& step = (*record.contacts)[i];
+        for (size_t n = 0; n < step.nodes.size(); ++n)
+            give(model_.interfaces[i].secondary.node[n], step.nodes[n].heat);
+        for (const ToolHeat& heat : step.tool_heat)
+            give(heat.node, heat.heat);
+    }
+    for (size_t n = 0; n < capacity.size(); ++n) {
+        const double before = record.motion->temperature[n];
+        const double after = (*record.temperature)[n];
+        if (after == before) continue;
+        stored += capacity[n] * (after - before);
+        // A temperature difference rounds with the size of the temperatures.
+        terms += capacity[n] * (std::abs(after) + std::abs(before));
+    }
+    for (InterfaceBalance& balance : balance_)
+        keep_largest(balance.heat, stored - given, terms, record);
+}
+
 void BalanceObserver::observe(const CycleRecord& record) {
+    observe_heat(record);
     for (size_t i = 0; i < balance_.size(); ++i) {
         const ContactStep& step = (*record.contacts)[i];
         InterfaceBalance& balance = balance_[i];

@@ -21,14 +21,15 @@ struct Residual {
 ///   power    sum <f, v> - <sum f, V> - <sum (X - x_G) x f, Omega> = sum F v_n - sum C v_n^2 - sum <F_t, v_rel>
 ///   damping  CE_DAMP = sum over the cycles of C v_n^2 dt1
 ///   friction CE_FRIC + QFRIC = sum over the cycles of <v_rel, F_t> dt1
+///   heat     sum C dT = sum of the heat given, over the nodes with a heat capacity and all interfaces together
 /// The node's force acts at x, the tool's at X: each enters the power with its own velocity, so the identity holds to
 /// rounding. Source: formulation 7, 8, 11.
 struct InterfaceBalance {
-    Residual force, power, damping_energy, friction_energy;
+    Residual force, power, damping_energy, friction_energy, heat;
     long cycles_in_contact = 0;  ///< cycles with a force on a node: 0 means that nothing was checked
 };
 
-/// The residual that a case calls "force", "power", "CE_DAMP" or "CE_FRIC"; nullptr for another name.
+/// The residual that a case calls "force", "power", "CE_DAMP", "CE_FRIC" or "heat"; nullptr for another name.
 const Residual* find_residual(const InterfaceBalance& balance, std::string_view name);
 
 class BalanceObserver {
@@ -44,6 +45,8 @@ class BalanceObserver {
         double damping = 0, damping_terms = 0;
         double friction = 0, friction_terms = 0;
     };
+
+    void observe_heat(const CycleRecord& record);
 
     const Model& model_;
     std::vector<InterfaceBalance> balance_;

@@ -1,5 +1,6 @@
 #include "verification/record/node_columns.h"
 
+#include <algorithm>
 #include <set>
 
 namespace type21 {
@@ -30,6 +31,12 @@ const std::vector<NodeColumn>& node_columns() {
         for (size_t kind = 0; kind < x.size(); ++kind)
             for (const auto* axis : {&x, &y, &z})
                 all.push_back((*axis)[kind]);
+        // Where OpenRadioss writes it: after the rotations and before the reactions.
+        const auto reaction =
+            std::find_if(all.begin(), all.end(), [](const NodeColumn& c) { return c.name == "REACX"; });
+        all.insert(reaction, {"TEMP", [](const CycleRecord& r, size_t n) {
+                                  return r.temperature->empty() ? 0.0 : (*r.temperature)[n];
+                              }});
         return all;
     }();
     return columns;

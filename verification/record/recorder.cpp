@@ -23,6 +23,7 @@ Recorder::Recorder(const Scene& scene, const std::filesystem::path& folder)
         std::vector<InterfaceColumn> columns = chosen_columns(model_, static_cast<int>(i));
         CsvWriter file(folder / fmt::format("interface_{}.csv", model_.interfaces[i].id), header({"time"}, columns));
         interfaces_.push_back({std::move(file), std::move(columns)});
+        effects_.emplace_back(scene, static_cast<int>(i), folder);
     }
     if (!node_history_.nodes.empty() && !node_history_.columns.empty())
         nodes_.emplace(folder / "nodes.csv", header({"time", "node"}, node_history_.columns));
@@ -31,6 +32,8 @@ Recorder::Recorder(const Scene& scene, const std::filesystem::path& folder)
 
 void Recorder::observe(const CycleRecord& record) {
     body_history_.add(record);
+    for (EffectFiles& files : effects_)
+        files.observe(record);
     if (clock_.due(record.time, record.step, record.last)) write(record);
 }
 

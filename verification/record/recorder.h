@@ -7,6 +7,7 @@
 
 #include "reference/host/march.h"
 #include "verification/record/csv_writer.h"
+#include "verification/record/effect_files.h"
 #include "verification/record/interface_columns.h"
 #include "verification/record/node_columns.h"
 #include "verification/record/output_clock.h"
@@ -38,6 +39,7 @@ class Recorder {
     std::optional<CsvWriter> nodes_;
     RigidBodyHistory body_history_;
     std::optional<CsvWriter> bodies_;
+    std::vector<EffectFiles> effects_;  ///< per interface
 };
 
 }  // namespace type21

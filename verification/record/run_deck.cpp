@@ -19,9 +19,18 @@ std::vector<std::string> warnings_of(const Problems& problems) {
     return out;
 }
 
+/// What each interface holds per node. A contact is made for it alone: the march makes its own.
+std::vector<std::vector<RoomSize>> rooms_of(const Scene& scene) {
+    std::vector<std::vector<RoomSize>> rooms;
+    for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
+        rooms.push_back(reference::Contact(scene, static_cast<int>(i)).rooms());
+    return rooms;
+}
+
 }  // namespace
 
-PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine) {
+PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,
+                          const std::string& thickness) {
     PreparedDeck prepared;
     Problems& problems = prepared.problems;
     const AsBuilt departures = AsBuilt::parse(as_built, problems);
@@ -41,12 +50,13 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     if (problems.has_errors()) return prepared;
     Scene scene = plan(std::move(model));
     if (needs_engine) check_runnable(scene, problems);
+    if (!thickness.empty()) prepared.thickness = ThicknessHistory::read(thickness, *scene.model, problems);
     if (!problems.has_errors()) prepared.scene = std::move(scene);
     return prepared;
 }
 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
-                     const std::function<void(const RunProgress&)>& progress) {
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options) {
     prepare_folder(folder);
     const std::vector<std::string> warnings = warnings_of(problems);
     const std::filesystem::path json = folder / "run.json";
@@ -54,6 +64,7 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
     // Written first, so that the folder of a run that was killed says whose it is.
     write_json(json, to_json(summary, scene, warnings));
 
+    summary.rooms = rooms_of(scene);
     Recorder recorder(scene, folder);
     BalanceObserver balance(scene);
     ContactCounter counter(scene);
@@ -83,7 +94,7 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
     };
     const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
     try {
-        march(scene, make, observe);
+        march(scene, make, observe, options);
     } catch (const RunStopped& stop) {
         const bool diverged = stop.why == RunStopped::Why::diverged;
         finish(diverged ? RunSummary::State::diverged : RunSummary::State::stopped, stop.what());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/deck/problem.h"
+#include "reference/host/march.h"
 #include "reference/model/scene.h"
 #include "verification/record/run_summary.h"
 
@@ -16,10 +17,16 @@ namespace type21 {
 struct PreparedDeck {
     Problems problems;
     std::optional<Scene> scene;
+    std::optional<ThicknessHistory> thickness;  ///< of --thickness
+
+    /// For run_scene; points into this.
+    MarchOptions options() const { return {thickness ? &*thickness : nullptr}; }
 };
 
 /// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error
-PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine);
+/// @param thickness     CSV of the shells' thickness over time, empty: none
+PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,
+                          const std::string& thickness = {});
 
 struct RunProgress {
     double fraction = 0;  ///< of the end time [-]
@@ -33,6 +40,6 @@ struct RunProgress {
 /// @param progress  called every cycle; may be empty
 /// @throws FolderError before anything is computed when the folder cannot be used
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
-                     const std::function<void(const RunProgress&)>& progress);
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options = {});
 
 }  // namespace type21

@@ -23,7 +23,17 @@ Json balance_json(const InterfaceBalance& balance) {
             {"power", residual_json(balance.power)},
             {"CE_DAMP", residual_json(balance.damping_energy)},
             {"CE_FRIC", residual_json(balance.friction_energy)},
+            {"heat", residual_json(balance.heat)},
             {"cycles_in_contact", balance.cycles_in_contact}};
+}
+
+/// Bytes of state and constants that each effect holds per secondary node; an effect that is absent holds none.
+Json rooms_json(const std::vector<std::vector<RoomSize>>& rooms, size_t interface) {
+    Json json = Json::object();
+    if (interface >= rooms.size()) return json;
+    for (const RoomSize& room : rooms[interface])
+        json[std::string(name(room.effect))] = room.bytes_per_node;
+    return json;
 }
 
 Json contact_json(const ContactCount& count, const Model& model) {
@@ -88,6 +98,9 @@ Json to_json(const RunSummary& summary, const Scene& scene, const std::vector<st
             final_values[column.name] = column.value(summary.totals[i]);
         results.push_back({{"interface", model.interfaces[i].id},
                            {"final", final_values},
+                           {"state_bytes_per_node", rooms_json(summary.rooms, i)},
+                           {"heat_to_blank", summary.totals[i].heat_to_blank},
+                           {"heat_to_tool", summary.totals[i].heat_to_tool},
                            {"contact", contact_json(summary.contact.at(i), model)},
                            {"balance", balance_json(summary.balance.at(i))}});
     }

@@ -25,6 +25,7 @@ struct RunSummary {
     std::vector<InterfaceTotals> totals;  ///< of the last cycle, per interface
     std::vector<InterfaceBalance> balance;
     std::vector<ContactCount> contact;
+    std::vector<std::vector<RoomSize>> rooms;  ///< what each interface holds per node
 
     void observe(const CycleRecord& record);
 };

@@ -8,6 +8,7 @@
 
 #include "reference/model/as_built.h"
 #include "verification/verify/check_forms.h"
+#include "verification/verify/covers.h"
 #include "verification/verify/toml_keys.h"
 
 namespace type21 {
@@ -27,6 +28,8 @@ void read_runs(TomlKeys& top, const std::string& file, Case& a_case, std::vector
         run.name = keys.text("name");
         run.as_built = keys.text_or("as_built", "");
         run.deck = a_case.folder / keys.text_or("deck", deck.string());
+        const std::string thickness = keys.text_or("thickness", "");
+        if (!thickness.empty()) run.thickness = a_case.folder / thickness;
         if (!run.name.empty() && !is_plain_name(run.name))
             keys.complain(keys.line("name"), fmt::format("name '{}' must be letters, digits, _ and -", run.name));
         for (const CaseRun& other : a_case.runs)
@@ -110,6 +113,11 @@ Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
     a_case.source = top.text("source");
     if (!top.has("features")) top.complain(1, "key 'features' is missing");
     a_case.features = top.texts("features");
+    a_case.covers = top.texts("covers");
+    for (const std::string& cover : a_case.covers)
+        if (!is_cover(cover))
+            top.complain(top.line("covers"),
+                         fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D37'", cover));
     read_runs(top, file, a_case, problems);
     for (const toml::table* check : top.tables("check"))
         read_check(*check, file, a_case, problems);

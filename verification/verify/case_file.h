@@ -21,6 +21,7 @@ struct CaseRun {
     std::string name;
     std::string as_built;
     std::filesystem::path deck;
+    std::filesystem::path thickness;  ///< CSV for --thickness, empty: none
 };
 
 /// Form 1: a whole history.
@@ -84,6 +85,7 @@ struct Case {
     std::filesystem::path folder;
     std::string statement, source;
     std::vector<std::string> features;
+    std::vector<std::string> covers;  ///< rows of the traceability table that the case shows
     std::vector<CaseRun> runs;
     std::vector<CaseCheck> checks;
 };

@@ -10,14 +10,14 @@ CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder) {
     outcome.folder = folder;
     const auto start = std::chrono::steady_clock::now();
     try {
-        const PreparedDeck prepared = prepare_deck(run.deck.string(), run.as_built, true);
+        const PreparedDeck prepared = prepare_deck(run.deck.string(), run.as_built, true, run.thickness.string());
         for (const Problem& problem : prepared.problems.list())
             outcome.problems.push_back(to_text(problem));
         outcome.refused = !prepared.scene;
         if (prepared.scene) {
             for (const Interface& interface : prepared.scene->model->interfaces)
                 outcome.interfaces.push_back(interface.id);
-            outcome.summary = run_scene(*prepared.scene, prepared.problems, folder, {});
+            outcome.summary = run_scene(*prepared.scene, prepared.problems, folder, {}, prepared.options());
         }
     } catch (const std::exception& error) {
         outcome.error = error.what();

@@ -26,7 +26,8 @@ TEST(AsBuilt, TableHasEveryDepartureOnceInOrder) {
 
 TEST(AsBuilt, AllMeansTheAvailableOnes) {
     EXPECT_EQ(AsBuilt::all().text(),
-              "D01, D02, D03, D04, D05, D09, D12, D13, D18, D19, D20, D24, D25, D26, D29, D31, D33, D34, D35");
+              "D01, D02, D03, D04, D05, D06, D07, D08, D09, D10, D11, D12, D13, D14, D15, D16, D17, D18, D19, D20, "
+              "D24, D25, D26, D28, D29, D30, D31, D32, D33, D34, D35, D36, D37");
     EXPECT_EQ(parsed("all").text(), AsBuilt::all().text());
     EXPECT_EQ(parsed(" ALL ").text(), AsBuilt::all().text());
 }
@@ -65,19 +66,17 @@ TEST(AsBuilt, WrongNamesAreOneProblemEach) {
     for (const Problem& problem : problems.list()) {
         EXPECT_EQ(problem.card, "--as-built");
         EXPECT_NE(problem.remedy.find("D01, D02, D03"), std::string::npos) << "lists what can be given";
-        EXPECT_EQ(problem.remedy.find("D06"), std::string::npos) << "and not what cannot";
+        EXPECT_EQ(problem.remedy.find("D21"), std::string::npos) << "and not what cannot";
     }
     EXPECT_EQ(problems.list()[0].value, "D38");
 }
 
 TEST(AsBuilt, UnavailableNamesSayWhy) {
     Problems problems;
-    EXPECT_FALSE(AsBuilt::parse("D30,D06,D11,D27", problems).any());
+    EXPECT_FALSE(AsBuilt::parse("D21,D22,D23,D27", problems).any());
     ASSERT_EQ(problems.error_count(), 4);
-    EXPECT_NE(problems.list()[0].rule.find("this version has no Igap 2"), std::string::npos);
-    EXPECT_NE(problems.list()[1].rule.find("this version has no friction filter"), std::string::npos);
-    EXPECT_NE(problems.list()[2].rule.find("heat exchange"), std::string::npos);
-    EXPECT_NE(problems.list()[3].rule.find("not reproduced"), std::string::npos);
+    for (const Problem& problem : problems.list())
+        EXPECT_NE(problem.rule.find("not reproduced"), std::string::npos) << problem.value;
 }
 
 TEST(AsBuilt, TakingAwayWhatIsNotThereIsAProblem) {

@@ -1,0 +1,45 @@
+/// @file What each field of the twelve lines is for, in our own words; columns, units and defaults are asked of the model.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/model/as_built.h"
+#include "reference/model/interface_fields.h"
+
+namespace type21 {
+
+struct FieldHelp {
+    std::string_view name;  ///< as in interface_fields()
+    std::string_view meaning;
+    std::string_view rule;    ///< values, and what follows from them
+    std::string_view source;  ///< equation and comment of the page, section of the formulation
+    std::vector<Departure> departures;
+};
+
+/// In the order of the card.
+const std::vector<FieldHelp>& field_help();
+
+/// The parts of field_help().
+std::vector<FieldHelp> field_help_surfaces();  ///< lines 1 to 5
+std::vector<FieldHelp> field_help_friction();  ///< lines 6 to 8
+std::vector<FieldHelp> field_help_heat();      ///< lines 9 to 12
+
+/// The entry of a name in any case, nullptr if it is no field of the card.
+const FieldHelp* find_field_help(std::string_view name);
+
+/// A case that covers something: "eq 5", "field DEPTH", "comment 4" or "departure D03".
+struct CaseCover {
+    std::string name;
+    std::vector<std::string> covers;
+};
+
+/// Everything of one field: place on the card, unit, default as the model resolves a blank card, departures, cases.
+std::string field_text(const FieldHelp& help, std::span<const CaseCover> cases);
+
+/// Both readings of a departure, whether it can be switched on, the fields it concerns, cases.
+std::string departure_text(const DepartureRow& row, std::span<const CaseCover> cases);
+
+}  // namespace type21
