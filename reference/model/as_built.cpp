@@ -29,9 +29,10 @@ std::vector<DepartureRow> make_table() {
         yes(D05, "elastic energy is half k p squared for Istf 1 too",
             "Istf 1 with Igap 0 or 1: Stfac raised to the power p squared for each node with stiffness"),
         yes(D06, "Ifiltr 3: the filter factor is the smaller of 1 and 2 pi f dt", "the larger of the two"),
-        yes(D07, "Ifiltr 2: the filter factor is 2 pi Xfreq, Xfreq between 0 and 1", "2 pi / Xfreq, an error below 2 pi"),
+        yes(D07, "Ifiltr 2: the filter factor is 2 pi Xfreq, Xfreq between 0 and 1",
+            "2 pi / Xfreq, an error below 2 pi"),
         yes(D08, "fct_IDF is taken at AscaleF times the mean temperature",
-           "AscaleF is unused and the main side has Tint"),
+            "AscaleF is unused and the main side has Tint"),
         yes(D09, "sens_ID replaces Tstart and Tstop", "the sensor is ignored, Tstart and Tstop stay"),
         yes(D10, "Ifric 4 decays from Fric to C1", "the sign is reversed: 2 C1 - Fric at rest"),
         yes(D11, "contact comes before proximity, proximity gives no force",
@@ -63,7 +64,7 @@ std::vector<DepartureRow> make_table() {
         yes(D29, "contact thickness of a node: the largest of its parts",
             "corner by corner against the four nodes of lowest id: mostly that of the last segment"),
         yes(D30, "Igap 2: the gap follows the current thickness, then Gapmin and Gapmax bound it",
-           "the bounded gap of time 0 plus the change of thickness, bounded again"),
+            "the bounded gap of time 0 plus the change of thickness, bounded again"),
         yes(D31, "the first penetration comes from the projection of every cycle",
             "from another projection at time 0 with wider margins"),
         yes(D32, "Fcond scales the coefficient in series with the sheet", "it scales the whole conductance"),
@@ -100,15 +101,13 @@ std::string valid_names() {
 }
 
 void complain(Problems& problems, const std::string& word, std::string rule) {
-    problems.add(
-        {Severity::error,
-         {},
-         "--as-built",
-         "",
-         word,
-         std::move(rule),
-         fmt::format("Give none, all, or names separated by commas, '-' takes one away (all,-D04). Available: {}",
-                     valid_names())});
+    Problem problem;
+    problem.card = "--as-built";
+    problem.value = word;
+    problem.rule = std::move(rule);
+    problem.remedy = fmt::format(
+        "Give none, all, or names separated by commas, '-' takes one away (all,-D04). Available: {}", valid_names());
+    problems.add(std::move(problem));
 }
 
 }  // namespace

@@ -3,23 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "reference/model/sourced_rules.h"
+#include "reference/model/card_rules.h"
+#include "reference/model/friction_rules.h"
+#include "reference/model/heat_rules.h"
 
 namespace type21 {
 namespace {
-
-constexpr double no_limit = 1e30;  ///< the page's "1030"
-
-void default_for_zero(Sourced<double>& field, double value, std::string why) {
-    if (field == 0) take_default(field, value, std::move(why));
-}
-
-/// A field that another one makes idle: if the deck gave it, the value that does nothing takes its place, with the
-/// reason.
-template <class T>
-void idle(Sourced<T>& field, T nothing, std::string why) {
-    if (field.value != T{}) take_by_rule(field, nothing, std::move(why));
-}
 
 void apply_gap(Interface& it, const AsBuilt& as_built) {
     if (it.igap == 0) {
@@ -87,60 +76,30 @@ void apply_bumult(Interface& it, int nodes) {
     default_for_zero(it.bumult, 0.20, "0 means 0.20");
 }
 
-/// /FRICTION replaces the friction fields of the card. Source: formulation 8.
-void apply_friction_model(const InterfaceJudge& judge) {
-    Interface& it = judge.interface;
-    if (it.friction_model < 0) return;
-    const FrictionModel& model = judge.model.friction_models[static_cast<size_t>(it.friction_model)];
-    const std::string why = fmt::format("from /FRICTION/{}", model.id);
-    take_by_rule(it.ifric, model.ifric, why);
-    take_by_rule(it.ifiltr, model.ifiltr, why);
-    take_by_rule(it.xfreq, model.xfreq, why);
-    take_by_rule(it.fric, model.fallback.fric,
-                 why + (model.pairs.empty() ? "" : ", for parts that are not in its pairs"));
-    for (size_t rank = 0; rank < it.c.size(); ++rank)
-        take_by_rule(it.c[rank], model.fallback.c[rank], why);
-    idle(it.fct_idf, Id{0}, "not used with fric_ID");
-    if (model.ifric != 0)
-        judge.error_with("fric_ID", fmt::format("{} (Ifric {})", model.id, model.ifric),
-                         "this version has no friction laws 1 to 4",
-                         "Use Ifric 0 in /FRICTION, Coulomb's law with Fric");
-    if (model.ifiltr != 0 && model.xfreq != 0)
-        judge.error_with("fric_ID", fmt::format("{} (Ifiltr {})", model.id, model.ifiltr),
-                         "this version has no friction filter", "Set Ifiltr to 0 in /FRICTION");
-}
-
-void apply_friction(const InterfaceJudge& judge) {
-    Interface& it = judge.interface;
-    apply_friction_model(judge);
-    if (it.xfreq == 0) idle(it.ifiltr, 0, "Xfreq 0: no filter");
-    default_for_zero(it.ascalef, 1.0, "0 means 1");
-}
-
-/// Without Ithe nothing of lines 10 and 11 may reach a search distance or a step limit.
-void apply_heat(const InterfaceJudge& judge) {
-    Interface& it = judge.interface;
-    // Blank is one pressure unit of the card, not of the work units.
-    const double one_pressure = conversion(judge.card.from(), judge.card.to(), dim::pressure);
-    if (it.ithe == 0) {
-        const std::string why = "not used without Ithe";
-        for (Sourced<double>* field : {&it.kthe, &it.tint, &it.frad, &it.drad, &it.fheat, &it.dcond})
-            idle(*field, 0.0, why);
-        idle(it.ascalek, one_pressure, why);
-        idle(it.ithe_form, 0, why);
-    }
-    default_for_zero(it.ascalek, one_pressure, "0 means 1 in the units of the card");
-}
-
 void apply_adaptive(Interface& it) {
+    if (it.iadm != 2) {
+        const std::string why = "used with Iadm 2 only";
+        idle(it.nradm, 1, why);
+        idle(it.padm, 1.0, why);
+        idle(it.angladm, 0.0, why);
+        if (it.nradm == 0) take_default(it.nradm, 1, "1 but for Iadm 2");
+        default_for_zero(it.padm, 1.0, "1 but for Iadm 2");
+        return;
+    }
     if (it.nradm == 0) take_default(it.nradm, 3, "0 means 3");
     default_for_zero(it.padm, 1.0, "0 means 1");
+}
+
+/// A negative Idel keeps the node in the model; in the interface both signs are the same.
+void apply_deletion(Interface& it) {
+    if (it.idel < 0) take_by_rule(it.idel, -it.idel, fmt::format("{} acts as {}", it.idel.value, -it.idel));
 }
 
 }  // namespace
 
 void apply_interface_defaults(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
+    apply_deletion(it);
     apply_gap(it, judge.model.as_built);
     apply_stiffness(judge);
     apply_activity(judge);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/friction_rules.h"
+#include "reference/model/heat_rules.h"
+
 namespace type21 {
 namespace {
 
@@ -47,6 +50,13 @@ void link_interface(const InterfaceJudge& judge) {
     it.main_surface = surface(judge, "surf_IDm", it.surf_main);
     it.sensor = optional_link(judge, "sens_ID", it.sens_id, judge.model.sensors, "/SENSOR/TIME");
     it.friction_model = optional_link(judge, "fric_ID", it.fric_id, judge.model.friction_models, "/FRICTION");
+    if (uses_friction_function(it))
+        it.function_friction = optional_link(judge, "fct_IDF", it.fct_idf, judge.model.functions, "/FUNCT");
+    if (it.ithe != 0) {
+        it.function_conduction = optional_link(judge, "fct_IDK", it.fct_idk, judge.model.functions, "/FUNCT");
+        it.function_distance = optional_link(judge, "Fcond", it.fcond, judge.model.functions, "/FUNCT");
+        check_distance_function(judge);
+    }
     it.tool = index_of(judge.model.rigid_bodies, it.idrby);
     if (it.tool < 0)
         judge.error("IDrby",

@@ -5,7 +5,7 @@
 
 namespace type21 {
 
-/// Surfaces, rigid body, sensor and friction model; an id that does not exist is an error. IDref waits until all are
+/// Surfaces, rigid body, sensor, friction model and the functions that are used; an id that does not exist is an error. IDref waits until all are
 /// read.
 void link_interface(const InterfaceJudge& judge);
 

@@ -1,4 +1,4 @@
-/// @file What the card may say: ranges, effects that this version does not have, fields that nobody uses.
+/// @file What the card may say: ranges, fields that exclude each other, fields that nobody uses.
 #pragma once
 
 #include "reference/model/interface_judge.h"

@@ -17,9 +17,9 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
 /// Fills gap, search_gap, largest_gap, smallest_gap_raw and resolves Gapmin and DEPTH; needs thickness,
 /// contact_thickness and shortest_edge.
 ///   Igap 0: g0 = Gapmin, 0 -> half of the mean thickness of the secondary shells
-///   Igap 1: g0 = max(Gapmin, min(g_s, Gapmax)),  g_s = 1/2 Fscalegap (t_c or else t0)
+///   Igap 1, 2: g0 = max(Gapmin, min(g_s, Gapmax)),  g_s = 1/2 Fscalegap (t_c or else t0)
 ///   DEPTH:  0 -> max(largest g0, shortest edge), else at least the largest g0
-/// Source: page, equations (1), (3), comments 2 and 4; formulation 2, 12 (D19, D33)
+/// Source: page, equations (1) to (4) at time 0, comments 2 and 4; formulation 2, 12 (D19, D33)
 void resolve_gaps(const InterfaceJudge& judge);
 
 }  // namespace type21

@@ -50,7 +50,8 @@ void lump(const Model& model, PerVolume&& per_volume, std::vector<double>& sum) 
 /// Nodal mass [mass] (formulation 7): lumped density plus the added masses. Void material counts with its density.
 void sum_nodal_mass(Model& model) {
     std::vector<double>& mass = model.nodal_mass;
-    lump(model, [](const Material& material) { return material.density; }, mass);
+    lump(
+        model, [](const Material& material) { return material.density; }, mass);
     for (const AddedMass& added : model.added_masses) {
         if (added.group < 0) continue;
         const std::vector<int>& nodes = model.groups[static_cast<size_t>(added.group)].nodes;
@@ -60,11 +61,12 @@ void sum_nodal_mass(Model& model) {
     }
 }
 
-/// Nodal heat capacity [energy/temperature] (formulation 9): lumped rho Cp with the shares of the mass, void material with
-/// /HEAT/MAT too. Empty when no material is thermal.
+/// Nodal heat capacity [energy/temperature] (formulation 9): lumped rho Cp with the shares of the mass, void material
+/// with /HEAT/MAT too. Empty when no material is thermal.
 void sum_nodal_heat_capacity(Model& model) {
     model.nodal_heat_capacity.clear();
-    if (std::none_of(model.materials.begin(), model.materials.end(), [](const Material& m) { return m.heat.has_value(); }))
+    if (std::none_of(model.materials.begin(), model.materials.end(),
+                     [](const Material& m) { return m.heat.has_value(); }))
         return;
     lump(
         model, [](const Material& material) { return material.heat ? material.heat->heat_capacity : 0.0; },

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/friction_conditions.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
@@ -23,7 +24,7 @@ constexpr std::array<std::array<Dimension, 6>, 5> coefficient_dimensions{
      {{dim::none, per_velocity, dim::none, dim::none, dim::none, dim::none}}}};
 
 /// Two lines: C1..C5; C6, Fric and VISf (the latter belongs to the viscous formulation, which TYPE21 never uses).
-FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric) {
+FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric, const AsBuilt& as_built) {
     FrictionCoefficients read;
     const auto& dimensions = coefficient_dimensions[static_cast<size_t>(ifric)];
     for (size_t i = 0; i < 6; ++i) {
@@ -34,6 +35,12 @@ FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric) {
     if (read.fric < 0) {
         reader.error(static_cast<int>(line) + 1, "Fric", fmt::format("{}", read.fric),
                      "a friction coefficient is not negative", "Give a value such as 0.1");
+    }
+    if (ifric == 3 && !as_built.has(Departure::D17)) {
+        for (const ConditionFault& fault : renard_faults(read.c, reader.to())) {
+            reader.error(static_cast<int>(fault.rank < 5 ? line : line + 1), fmt::format("C{}", fault.rank + 1),
+                         quantity(reader, read.c[fault.rank], dimensions[fault.rank]), fault.rule, fault.remedy);
+        }
     }
     return read;
 }
@@ -54,7 +61,7 @@ FrictionPair read_pair(Reading& reading, CardReader& reader, size_t line, int if
     pair.part_a = reading.reference(reader, line, 21, 30, "part_ID1", reading.parts, !groups);
     pair.part_b = reading.reference(reader, line, 31, 40, "part_ID2", reading.parts, !groups);
     refuse_unless_zero(reader, line, 51, 60, "Idir", "friction that depends on the direction is");
-    pair.coefficients = coefficients(reader, line + 1, ifric);
+    pair.coefficients = coefficients(reader, line + 1, ifric, reading.model.as_built);
     return pair;
 }
 
@@ -72,8 +79,11 @@ void read_friction(Reading& reading) {
         model.ifric = choice(reader, 1, "Ifric", 4);
         model.ifiltr = choice(reader, 11, "Ifiltr", 3);
         // Xfreq is a cutting frequency with Ifiltr 3 only; otherwise it is a pure number.
-        model.xfreq = reader.real(1, 21, 40, "Xfreq", model.ifiltr == 3 ? dim::frequency : dim::none);
-        model.fallback = coefficients(reader, 2, model.ifric);
+        const Dimension frequency = model.ifiltr == 3 ? dim::frequency : dim::none;
+        model.xfreq = reader.real(1, 21, 40, "Xfreq", frequency);
+        if (const auto fault = filter_fault(model.ifiltr, model.xfreq, reading.model.as_built))
+            reader.error(1, "Xfreq", quantity(reader, model.xfreq, frequency), fault->rule, fault->remedy);
+        model.fallback = coefficients(reader, 2, model.ifric, reading.model.as_built);
         for (size_t line = 4; line < reader.line_count(); line += 3) {
             if (reader.blank(line, 1, 100)) continue;
             model.pairs.push_back(read_pair(reading, reader, line, model.ifric));

@@ -14,7 +14,8 @@ void check_formulation(CardReader& reader, int version) {
     const Id form = reader.integer(0, 81, 90, "Iform");
     if (form == 1) return;
     if (form == 0)
-        reader.warning(0, "Iform", "0", "shells have the finite element formulation only, it is taken", "Set Iform to 1");
+        reader.warning(0, "Iform", "0", "shells have the finite element formulation only, it is taken",
+                       "Set Iform to 1");
     else
         reader.error(0, "Iform", fmt::format("{}", form), "TYPE21 needs the finite element formulation, Iform 1",
                      "Set Iform to 1");

@@ -153,7 +153,8 @@ void drop_temperature(const Model& model, CardReader& reader, HistoryRequest& re
     const auto found = std::find(request.variables.begin(), request.variables.end(), "TEMP");
     if (found == request.variables.end() || is_thermal(model)) return;
     request.variables.erase(found);
-    reader.warning(-1, "var", "TEMP", "no interface exchanges heat (Ithe), so there are no temperatures; it is not written",
+    reader.warning(-1, "var", "TEMP",
+                   "no interface exchanges heat (Ithe), so there are no temperatures; it is not written",
                    "Take TEMP out, or set Ithe");
 }
 
@@ -194,7 +195,7 @@ void read_histories(Reading& reading) {
              read_objects(reading, reader, line, reading.interfaces, request);
          });
     read(Keyword::history_node, Kind::node, node_variables(),
-         [&](CardReader& reader, size_t line, HistoryRequest& request) { 
+         [&](CardReader& reader, size_t line, HistoryRequest& request) {
              read_nodes(reading, reader, line, request);
              drop_temperature(reading.model, reader, request);
          });

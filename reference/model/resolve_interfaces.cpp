@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/heat_rules.h"
 #include "reference/model/interface_defaults.h"
 #include "reference/model/interface_links.h"
 #include "reference/model/interface_rules.h"
@@ -49,9 +50,11 @@ void build_sides(const InterfaceJudge& judge) {
     if (!has_segments(judge.model, it.secondary_surface)) return;
     build_secondary_side(judge);
     resolve_gaps(judge);
+    resolve_heat_distances(judge);
     if (!has_segments(judge.model, it.main_surface) || it.tool < 0) return;
     build_tool_side(judge);
     check_sides(judge);
+    check_thermal_sides(judge);
     check_main_normals(judge);
 }
 

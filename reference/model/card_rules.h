@@ -1,0 +1,37 @@
+/// @file The sentences that many fields share: out of its values, negative, without effect, a default, idle.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "reference/model/interface_judge.h"
+#include "reference/model/sourced_rules.h"
+
+namespace type21 {
+
+inline constexpr double no_limit = 1e30;  ///< the page's "1030"
+
+bool among(int value, std::initializer_list<int> allowed);
+
+/// An error for a flag outside its values.
+void one_of(const InterfaceJudge& judge, std::string_view field, int value, std::initializer_list<int> allowed);
+
+void not_negative(const InterfaceJudge& judge, std::string_view field, double value);
+
+/// A warning for a field that was given and has no effect.
+void unused(const InterfaceJudge& judge, std::string_view field, bool given, std::string_view reason);
+
+inline void default_for_zero(Sourced<double>& field, double value, std::string why) {
+    if (field == 0) take_default(field, value, std::move(why));
+}
+
+/// A field that another one makes idle: if the deck gave it, the value that does nothing takes its place, with the
+/// reason.
+template <class T>
+void idle(Sourced<T>& field, T nothing, std::string why) {
+    if (field.value != T{}) take_by_rule(field, nothing, std::move(why));
+}
+
+}  // namespace type21

@@ -1,0 +1,142 @@
+/// @file Lines 6 to 8.
+#include "reference/model/friction_rules.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reference/model/card_rules.h"
+#include "reference/model/friction_conditions.h"
+#include "reference/model/interface_fields.h"
+#include "reference/model/sourced_rules.h"
+
+namespace type21 {
+namespace {
+
+std::string_view coefficient_name(size_t rank) {
+    constexpr std::string_view names[] = {"C1", "C2", "C3", "C4", "C5", "C6"};
+    return names[rank];
+}
+
+/// How many of C1..C6 a law reads. Source: page, comment 13, table 1.
+size_t coefficients_of(int ifric) {
+    constexpr size_t count[] = {0, 5, 6, 6, 2};
+    return ifric >= 0 && ifric <= 4 ? count[ifric] : 6;
+}
+
+void check_law(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    for (size_t rank = coefficients_of(it.ifric); rank < it.c.size(); ++rank)
+        unused(judge, coefficient_name(rank), it.c.at(rank) != 0,
+               it.ifric == 0 ? "Ifric is 0, Coulomb's law has Fric alone"
+                             : fmt::format("law {} does not use it", it.ifric.value));
+    unused(judge, "Fric", it.ifric == 3 && it.fric != 0, "the Renard law has C1 to C6 alone");
+    if (it.ifric != 3 || judge.model.as_built.has(Departure::D17)) return;
+    std::array<double, 6> c{};
+    std::copy(it.c.begin(), it.c.end(), c.begin());
+    for (const ConditionFault& fault : renard_faults(c, judge.model.units))
+        judge.error(coefficient_name(fault.rank), fault.rule, fault.remedy);
+}
+
+void check_function(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    unused(judge, "AscaleF", it.ascalef != 0 && it.fct_idf == 0, "fct_IDF is 0");
+    if (it.fct_idf == 0) return;
+    unused(judge, "fct_IDF", it.ifric != 0, "it scales Fric of Ifric 0 only");
+    if (uses_friction_function(it) && it.ithe == 0)
+        judge.error("fct_IDF", "friction that hangs on temperature needs temperatures, and Ithe is 0",
+                    "Set Ithe to 1 or 2, or set fct_IDF to 0 and give the coefficient as Fric");
+}
+
+void check_replaced(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    const std::string_view taken = "/FRICTION of fric_ID takes its place";
+    const bool filter_stays = judge.model.as_built.has(Departure::D28);
+    unused(judge, "Fric", it.fric != 0, taken);
+    unused(judge, "Ifric", it.ifric != 0, taken);
+    unused(judge, "Ifiltr", it.ifiltr != 0 && !filter_stays, taken);
+    unused(judge, "Xfreq", it.xfreq != 0 && !filter_stays, taken);
+    unused(judge, "fct_IDF", it.fct_idf != 0, taken);
+    unused(judge, "AscaleF", it.ascalef != 0, taken);
+    for (size_t rank = 0; rank < it.c.size(); ++rank)
+        unused(judge, coefficient_name(rank), it.c.at(rank) != 0, taken);
+}
+
+/// /FRICTION replaces the friction fields of the card. Source: formulation 8.
+void apply_friction_model(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    if (it.friction_model < 0) return;
+    const FrictionModel& model = judge.model.friction_models[static_cast<size_t>(it.friction_model)];
+    const std::string why = fmt::format("from /FRICTION/{}", model.id);
+    const std::string of_default = why + (model.pairs.empty() ? "" : ", for parts that are not in its pairs");
+    take_by_rule(it.ifric, model.ifric, why);
+    take_by_rule(it.ifiltr, model.ifiltr, why);
+    take_by_rule(it.xfreq, model.xfreq, why);
+    take_by_rule(it.fric, model.fallback.fric, of_default);
+    for (size_t rank = 0; rank < it.c.size(); ++rank)
+        take_by_rule(it.c[rank], model.fallback.c[rank], of_default);
+}
+
+void note_without_friction(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    if (rubs(judge.model, it)) return;
+    const std::string_view reason = "the interface has no friction";
+    unused(judge, "Pskid", it.pskid < no_limit, reason);
+    unused(judge, "Fheat", it.ithe != 0 && it.fheat != 0, reason);
+    unused(judge, "Ifiltr", it.friction_model < 0 && it.ifiltr != 0, reason);
+    if (it.pskid < no_limit) take_by_rule(it.pskid, no_limit, "not used without friction");
+}
+
+}  // namespace
+
+bool uses_friction_function(const Interface& interface) {
+    return interface.fct_idf != 0 && interface.fric_id == 0 && interface.ifric == 0;
+}
+
+void check_friction_card(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    const bool by_model = it.fric_id != 0;
+    one_of(judge, "Ifric", it.ifric, {0, 1, 2, 3, 4});
+    one_of(judge, "Ifiltr", it.ifiltr, {0, 1, 2, 3});
+    const bool filter_used = !by_model || judge.model.as_built.has(Departure::D28);
+    if (const auto fault = filter_fault(filter_used ? it.ifiltr.value : 0, it.xfreq, judge.model.as_built))
+        judge.error("Xfreq", fault->rule, fault->remedy);
+    unused(judge, "Xfreq", it.xfreq > 0 && filter_used && it.ifiltr == 0, "Ifiltr is 0");
+    if (by_model) {
+        check_replaced(judge);
+    } else {
+        check_law(judge);
+        check_function(judge);
+    }
+}
+
+void apply_friction(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    const bool by_function = uses_friction_function(it);
+    it.card_ifiltr = it.ifiltr;
+    it.card_xfreq = it.xfreq;
+    apply_friction_model(judge);
+    if (!by_function)
+        idle(it.fct_idf, Id{0}, it.friction_model >= 0 ? "not used with fric_ID" : "used with Ifric 0 only");
+    if (by_function) default_for_zero(it.fric, 1.0, "0 means 1, the scale of fct_IDF");
+    if (it.xfreq == 0) idle(it.ifiltr, 0, "Xfreq 0: no filter");
+    default_for_zero(it.ascalef, 1.0, "0 means 1");
+    note_without_friction(judge);
+}
+
+bool rubs(const Model& model, const Interface& interface) {
+    if (interface.ifric != 0) return true;
+    if (interface.friction_model < 0) return interface.fric > 0;
+    const FrictionModel& friction = model.friction_models.at(static_cast<size_t>(interface.friction_model));
+    return friction.fallback.fric > 0 ||
+           std::any_of(friction.pairs.begin(), friction.pairs.end(),
+                       [](const FrictionPair& pair) { return pair.coefficients.fric > 0; });
+}
+
+bool filters_friction(const Model& model, const Interface& interface) {
+    const bool of_card = interface.friction_model >= 0 && model.as_built.has(Departure::D28) &&
+                         interface.card_ifiltr != 0 && interface.card_xfreq != 0;
+    return rubs(model, interface) && (of_card || (interface.ifiltr != 0 && interface.xfreq != 0));
+}
+
+}  // namespace type21

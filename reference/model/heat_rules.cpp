@@ -1,0 +1,105 @@
+/// @file Ithe, lines 10 and 11.
+#include "reference/model/heat_rules.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reference/model/card_rules.h"
+#include "reference/model/friction_rules.h"
+
+namespace type21 {
+namespace {
+
+void check_unused(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    const std::string_view reason = "Ithe is 0, there is no heat exchange";
+    unused(judge, "Kthe", it.kthe != 0, reason);
+    unused(judge, "fct_IDK", it.fct_idk != 0, reason);
+    unused(judge, "AscaleK", it.ascalek != 0, reason);
+    unused(judge, "Tint", it.tint != 0, reason);
+    unused(judge, "Ithe_form", it.ithe_form != 0, reason);
+    unused(judge, "Frad", it.frad != 0, reason);
+    unused(judge, "Drad", it.drad != 0, reason);
+    unused(judge, "Fheat", it.fheat != 0, reason);
+    unused(judge, "Fcond", it.fcond != 0, reason);
+    unused(judge, "Dcond", it.dcond != 0, reason);
+}
+
+/// Tint is the tool's temperature only while the tool has none of its own.
+void check_tool_temperature(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    const bool constant = it.ithe == 1 && it.ithe_form == 0;
+    const bool as_built = judge.model.as_built.has(Departure::D08) && uses_friction_function(it);
+    unused(judge, "Tint", it.tint != 0 && !constant && !as_built, "the tool has the temperatures of its nodes");
+    if (it.tint < 0)
+        judge.error("Tint", "an absolute temperature is not negative", "Give it in K");
+    else if (constant && it.tint == 0 && (it.kthe != 0 || it.frad != 0))
+        judge.warning("Tint", "the tool is at absolute zero", "Give the tool's temperature in K");
+}
+
+}  // namespace
+
+void check_heat_card(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    one_of(judge, "Ithe", it.ithe, {0, 1, 2});
+    if (it.ithe == 0) return check_unused(judge);
+    one_of(judge, "Ithe_form", it.ithe_form, {0, 1});
+    not_negative(judge, "Kthe", it.kthe);
+    not_negative(judge, "Frad", it.frad);
+    not_negative(judge, "Drad", it.drad);
+    not_negative(judge, "Fheat", it.fheat);
+    not_negative(judge, "Dcond", it.dcond);
+    unused(judge, "AscaleK", it.ascalek != 0 && it.fct_idk == 0, "fct_IDK is 0");
+    unused(judge, "Drad", it.drad > 0 && it.frad == 0, "Frad is 0, nothing radiates");
+    unused(judge, "Dcond", it.dcond > 0 && it.fcond == 0, "Fcond is 0, nothing is conducted beyond the gap");
+    check_tool_temperature(judge);
+    if (it.fheat > 1)
+        judge.warning("Fheat", "is a share of the friction work, and above 1: more heat than work", "Give 0 to 1");
+    if (it.kthe == 0 && it.fct_idk != 0 && !judge.model.as_built.has(Departure::D36))
+        judge.warning("Kthe", "is the scale of fct_IDK and 0: no heat is conducted",
+                      "Give Kthe, 1 to take fct_IDK as it is");
+    if (it.kthe == 0 && it.fct_idk == 0) {
+        unused(judge, "Fcond", it.fcond != 0, "it scales Kthe, and Kthe is 0");
+        if (it.frad == 0 && it.fheat == 0)
+            judge.warning("Ithe", "no heat is exchanged: Kthe, Frad and Fheat are 0",
+                          "Give one of them, or set Ithe to 0");
+    }
+}
+
+void apply_heat(const InterfaceJudge& judge) {
+    Interface& it = judge.interface;
+    // Blank is one unit of the card, not of the work units.
+    const auto one = [&](Dimension dimension) { return conversion(judge.card.from(), judge.card.to(), dimension); };
+    if (it.ithe == 0) {
+        const std::string why = "not used without Ithe";
+        for (Sourced<double>* field : {&it.kthe, &it.tint, &it.frad, &it.drad, &it.fheat, &it.dcond})
+            idle(*field, 0.0, why);
+        idle(it.ascalek, one(dim::pressure), why);
+        idle(it.ithe_form, 0, why);
+        idle(it.fct_idk, Id{0}, why);
+        idle(it.fcond, Id{0}, why);
+    }
+    if (it.fct_idk != 0 && judge.model.as_built.has(Departure::D36))
+        default_for_zero(it.kthe, one(dim::conductance), "D36: 0 means 1 in the units of the card");
+    default_for_zero(it.ascalek, one(dim::pressure), "0 means 1 in the units of the card");
+}
+
+void check_distance_function(const InterfaceJudge& judge) {
+    const Interface& it = judge.interface;
+    if (it.function_distance < 0) return;
+    const Function& function = judge.model.functions[static_cast<size_t>(it.function_distance)];
+    const auto check = [&](std::string_view axis, const std::vector<double>& values) {
+        const auto outside =
+            std::find_if(values.begin(), values.end(), [](double value) { return value < 0 || value > 1; });
+        if (outside == values.end()) return;
+        judge.error_with(
+            "Fcond", fmt::format("{} ({} = {})", function.id, axis, *outside),
+            "abscissae and ordinates of this function are between 0 and 1",
+            fmt::format("Mend /FUNCT/{}: share of the way from gap to Dcond against share of Kthe", function.id));
+    };
+    check("X", function.x);
+    check("Y", function.y);
+}
+
+}  // namespace type21
