@@ -71,9 +71,12 @@ class HeatExchange {
 
     static constexpr size_t bytes_per_node() { return sizeof(Conductivity); }
 
-  private:
+    /// K at a contact pressure [power/(area temperature)], equation (15).
     double exchange(double pressure) const;
+    /// k_s of the blank at secondary node i.
+    const Conductivity& conductivity(int i) const { return conductivity_[static_cast<size_t>(i)]; }
 
+  private:
     const Model& model_;
     const Interface& interface_;
     std::vector<Conductivity>

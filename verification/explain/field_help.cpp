@@ -13,9 +13,8 @@ namespace {
 constexpr size_t text_width = 96;
 
 bool same_word(std::string_view one, std::string_view other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    });
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
 /// "label     text", the text broken into lines that hang under its first word.
@@ -90,7 +89,8 @@ std::string case_words(std::string_view cover, std::span<const CaseCover> cases)
 std::string departure_words(Departure departure) {
     for (const DepartureRow& row : departures())
         if (row.id == departure)
-            return fmt::format("{} ({}): {}", name(row.id), row.available ? "--as-built" : "not available", row.as_built);
+            return fmt::format("{} ({}): {}", name(row.id), row.available ? "--as-built" : "not available",
+                               row.as_built);
     return "";
 }
 
@@ -131,7 +131,8 @@ std::string field_text(const FieldHelp& help, std::span<const CaseCover> cases) 
 }
 
 std::string departure_text(const DepartureRow& row, std::span<const CaseCover> cases) {
-    std::string out = entry(name(row.id), row.available ? "can be switched on with --as-built" : "cannot be switched on");
+    std::string out =
+        entry(name(row.id), row.available ? "can be switched on with --as-built" : "cannot be switched on");
     out += entry("page", row.page) + entry("as built", row.as_built);
     if (!row.reason.empty()) out += entry("because", row.reason);
     std::string fields;

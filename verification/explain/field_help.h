@@ -1,4 +1,5 @@
-/// @file What each field of the twelve lines is for, in our own words; columns, units and defaults are asked of the model.
+/// @file What each field of the twelve lines is for, in our own words; columns, units and defaults are asked of the
+/// model.
 #pragma once
 
 #include <span>

@@ -1,0 +1,105 @@
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/explain/account_json.h"
+#include "verification/explain/field_help.h"
+#include "verification/record/run_deck.h"
+#include "verification/verify/verify_cases.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string what, as_built, thickness, json, cases = "cases";
+    std::optional<Id> node, interface;
+    std::optional<double> time;
+};
+
+int explain_node(const Options& options) {
+    if (!options.node || !options.time)
+        throw UsageError("a deck is explained for one node at one time: give --node and --time");
+    const PreparedDeck prepared = prepare_deck(options.what, options.as_built, true, options.thickness);
+    print_problems(prepared.problems);
+    if (!prepared.scene) return exit_deck;
+    const Model& model = *prepared.scene->model;
+    try {
+        const DeckAccount account =
+            explain_deck(*prepared.scene, {*options.node, *options.time, options.interface}, prepared.options());
+        fmt::print("{}", account_text(account, model));
+        if (!options.json.empty()) write_report(options.json, account_json(account, model));
+    } catch (const ExplainError& error) {
+        fmt::print(stderr, "type21: {}\n", error.what());
+        return exit_deck;
+    } catch (const RunStopped& stopped) {
+        fmt::print(stderr, "type21: the run stopped before that time: {}\n", stopped.what());
+        return exit_stopped;
+    }
+    return exit_ok;
+}
+
+/// What the cases of the folder cover; none where there is no such folder.
+std::vector<CaseCover> covers_of(const std::string& folder) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) return {};
+    std::vector<std::string> problems;
+    std::vector<CaseCover> covers;
+    for (const Case& a_case : read_cases(folder, {}, problems))
+        covers.push_back({a_case.name, a_case.covers});
+    return covers;
+}
+
+/// A field of the card or a departure; nothing where the word is neither.
+std::optional<std::string> word_text(const Options& options) {
+    if (const FieldHelp* help = find_field_help(options.what)) return field_text(*help, covers_of(options.cases));
+    std::string word = options.what;
+    if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+    for (const DepartureRow& row : departures())
+        if (name(row.id) == word) return departure_text(row, covers_of(options.cases));
+    return std::nullopt;
+}
+
+std::string known_words() {
+    std::string out;
+    for (const FieldHelp& help : field_help())
+        out += fmt::format("{} ", help.name);
+    return out + "D01 to D37";
+}
+
+int explain(const Options& options) {
+    if (options.node || options.time) return explain_node(options);
+    if (const auto text = word_text(options)) {
+        fmt::print("{}", *text);
+        return exit_ok;
+    }
+    std::error_code error;
+    if (std::filesystem::exists(options.what, error)) return explain_node(options);
+    fmt::print(stderr, "type21: '{}' is neither a field of /INTER/TYPE21 nor a departure nor a file; there are: {}\n",
+               options.what, known_words());
+    return exit_deck;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "explain", "Say why: one node of a deck at one time, a field of the card (DEPTH), or a departure (D03)");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("WHAT", options->what,
+                     "starter deck NAME_0000.rad with --node and --time, or a field, or a departure")
+        ->required();
+    verb->add_option("--node", options->node, "id of a secondary node");
+    verb->add_option("--time", options->time, "time; the last cycle that is not after it is explained");
+    verb->add_option("--interface", options->interface, "id of an interface (default: all that have the node)");
+    add_as_built(*verb, options->as_built);
+    verb->add_option("--thickness", options->thickness, "CSV of the shells' thickness over time, as for run");
+    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->add_option("--cases", options->cases, "folder of the cases that a field or departure is looked up in")
+        ->capture_default_str();
+    verb->callback([options, &exit_code] { exit_code = explain(*options); });
+}
+
+}  // namespace type21::cli

@@ -1,0 +1,42 @@
+/// @file An account: lines of what was computed from what, for text and JSON alike.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "reference/model/vector.h"
+
+namespace type21 {
+
+/// "F = k p = 252000 x 0.0123 = 3099.6 N   page, equation (5)". Parts that a line does not have are empty.
+struct AccountLine {
+    std::string symbol;
+    std::string formula;  ///< in symbols
+    std::string numbers;  ///< the same with numbers
+    std::variant<std::monostate, double, Vec3, std::string> value;
+    std::string unit;
+    std::string source;
+};
+
+struct AccountSection {
+    std::string title;
+    std::vector<AccountLine> lines;
+
+    void add(std::string symbol, std::string formula, std::string numbers, double value, std::string unit,
+             std::string source) {
+        lines.push_back(
+            {std::move(symbol), std::move(formula), std::move(numbers), value, std::move(unit), std::move(source)});
+    }
+    void add(std::string symbol, std::string formula, std::string numbers, const Vec3& value, std::string unit,
+             std::string source) {
+        lines.push_back(
+            {std::move(symbol), std::move(formula), std::move(numbers), value, std::move(unit), std::move(source)});
+    }
+    /// A line in words.
+    void say(std::string symbol, std::string words, std::string source = "") {
+        lines.push_back({std::move(symbol), "", "", std::move(words), "", std::move(source)});
+    }
+};
+
+}  // namespace type21

@@ -1,0 +1,101 @@
+/// @file The retained impact, where it lies, and what of the penetration is forgiven (formulation 4 to 6).
+#include <fmt/format.h>
+
+#include "verification/explain/node_account.h"
+
+namespace type21 {
+
+using namespace reference;
+
+namespace {
+
+std::string side_text(int side) {
+    return side < 0 ? "behind the surface" : "outward";
+}
+
+/// Why the reference has no impact although there are candidates.
+std::string no_impact(const AccountInput& input, const CandidateAccount& candidates) {
+    if (input.inspect.deleted(input.node, input.motion))
+        return "every element at the node is deleted: it has left (Idel)";
+    if (input.inspect.stiffness(input.node) == 0 && input.inspect.inacti() == 1)
+        return "the node is switched off: it penetrated at time 0 (Inacti 1)";
+    if (input.inspect.stiffness(input.node) == 0) return "the node has no stiffness (k = 0)";
+    if (candidates.segments.empty()) return "no segment is near enough: no contact";
+    return "every sub-triangle rejects the node: no contact";
+}
+
+}  // namespace
+
+AccountSection impact_section(const AccountInput& input, const NodeAccount& account) {
+    const Decision& decision = account.node.decision;
+    AccountSection section{"retained impact", {}};
+    if (decision.kind == Kind::none) {
+        section.say("", no_impact(input, account.candidates), "formulation 4");
+        return section;
+    }
+    std::string nodes;
+    const auto& corner = input.inspect.segment_nodes(decision.segment);
+    for (size_t j = 0; j < (corner[2] == corner[3] ? 3u : 4u); ++j)
+        nodes += fmt::format("{}{}", j > 0 ? " " : "", input.model().nodes.id[static_cast<size_t>(corner[j])]);
+    section.say("segment",
+                fmt::format("{} (nodes {}), k = {}, {}, {}", decision.segment + 1, nodes, decision.triangle,
+                            decision.kind == Kind::contact ? "contact" : "proximity", side_text(decision.side)),
+                "formulation 3 and 4");
+    const Impact<double>& ours = account.candidates.retained;
+    const bool same =
+        ours.segment == decision.segment && ours.triangle == decision.triangle && ours.kind == decision.kind;
+    section.say("why",
+                same ? account.candidates.why : "the decision differs from the one retraced above: please report this",
+                "formulation 4");
+    section.say("a, b, c", fmt::format("{:.9g}, {:.9g}, {:.9g}", 1.0 - decision.b - decision.c, decision.b, decision.c),
+                "formulation 3, step 3");
+    return section;
+}
+
+AccountSection geometry_section(const AccountInput& input, const NodeContact& node) {
+    const std::string length = input.unit(dim::length);
+    AccountSection section{"contact geometry", {}};
+    const bool d12 = input.model().as_built.has(Departure::D12);
+    section.add("X", "a A + b B + c C", "", node.point, length, "formulation 5");
+    section.add("nu", d12 ? "(x - X)/|x - X|, outward" : "n/|n|, outward", "", node.normal, "",
+                d12 ? "D12" : "formulation 5");
+    section.add("delta", d12 ? "|x - X|, negative behind" : "H |n|/<n,N>, along nu", "", node.distance, length,
+                d12 ? "D12" : "formulation 5");
+    section.add("p_g", "max(0, g - delta)", fmt::format("max(0, {} - {})", digits(node.gap), digits(node.distance)),
+                node.geometric_penetration, length, "formulation 5");
+    if (node.geometric_penetration > 0) return section;
+    if (node.decision.kind == Kind::proximity) {
+        section.say("", "near, not in contact: no force, only heat", "formulation 4");
+    } else {
+        section.say("", "no penetration: no force, the history is dropped", "formulation 6");
+    }
+    return section;
+}
+
+AccountSection offset_section(const AccountInput& input, const NodeContact& node, const Replay& replay) {
+    const std::string length = input.unit(dim::length);
+    AccountSection section{fmt::format("penetration offset, cycle {} of this impact", replay.cycles), {}};
+    const int inacti = input.inspect.inacti();
+    const bool six = inacti == 6;
+    const bool time_zero = input.motion.time <= 0;
+    const double before = replay.offset_before;
+    if (replay.cycles == 1 && !time_zero) {
+        section.add("P0 old", "p_g, first impact", "", before, length, "formulation 6");
+    } else if (time_zero && (inacti == 5 || six)) {
+        section.add("P0 old", six ? "p_g + 0.05 (g + DEPTH - p_g)" : "p_g", "", before, length,
+                    fmt::format("Inacti {}, page, comment 9", inacti));
+    } else {
+        section.add("P0 old", time_zero ? "0" : "", "", before, length, time_zero ? "Inacti 0" : "of the cycle before");
+    }
+    section.add(
+        "P0", six ? "min(P0, 0.95 P0 + 0.05 (p_g + 0.05|g - p_g|))" : "min(P0, 0.95 P0 + 0.05 p_g)",
+        six ? "" : fmt::format("min({0}, 0.95 x {0} + 0.05 x {1})", digits(before), digits(node.geometric_penetration)),
+        node.offset, length, "formulation 6");
+    section.add("p", "max(0, p_g - P0)",
+                fmt::format("max(0, {} - {})", digits(node.geometric_penetration), digits(node.offset)),
+                node.penetration, length, "formulation 6");
+    if (!replay.acts) section.say("", "p = 0: stiffness and damping are zero", "formulation 6");
+    return section;
+}
+
+}  // namespace type21

@@ -1,0 +1,152 @@
+/// @file Normal force, friction and the force on the node (formulation 7 and 8).
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "verification/explain/node_account.h"
+
+namespace type21 {
+
+using namespace reference;
+
+namespace {
+
+/// The formula of the friction law.
+std::string law_formula(int ifric) {
+    switch (ifric) {
+        case 1:
+            return "Fric + C1 p + C2 s + C3 p s + C4 p^2 + C5 s^2";
+        case 2:
+            return "Fric + C1 e^(C2 s) p^2 + C3 e^(C4 s) p + C5 e^(C6 s)";
+        case 3:
+            return "Renard, C1..C6 at s";
+        case 4:
+            return "C1 + (Fric - C1) e^(-C2 s)";
+        default:
+            return "Fric";
+    }
+}
+
+std::string law_source(int ifric) {
+    constexpr const char* sources[] = {"Ifric 0, page, comment 12", "Ifric 1, page, equation (10)",
+                                       "Ifric 2, page, equation (11)", "Ifric 3, page, comment 13",
+                                       "Ifric 4, formulation 8"};
+    return sources[ifric];
+}
+
+void add_law(const AccountInput& input, const Replay& replay, AccountSection& section) {
+    const Interface& card = input.card();
+    if (card.ifric != 0) {
+        const double area = card.secondary.area[static_cast<size_t>(input.node)];
+        const Vec3& v = replay.input.velocity;
+        const double speed = (v - replay.input.normal * v.dot(replay.input.normal)).norm();
+        section.add("p~", "F_n/A", fmt::format("{}/{}", digits(replay.normal_force), digits(area)),
+                    area > 0 ? replay.normal_force / area : 0.0, input.unit(dim::pressure), "page, equation (9)");
+        section.add("s", "|v - v_n nu|", "", speed, input.unit(dim::velocity), "page, equation (9)");
+    }
+    if (input.inspect.has(Effect::friction_heat_factor)) {
+        section.add("mu", "Fric f_IDF",
+                    fmt::format("{} x {}", digits(card.fric), digits(replay.input.temperature_factor)),
+                    replay.coefficient, "", "page, equation (7)");
+    } else {
+        section.add("mu", law_formula(card.ifric), "", replay.coefficient, "", law_source(card.ifric));
+    }
+}
+
+}  // namespace
+
+AccountSection normal_section(const AccountInput& input, const NodeContact& node, const Replay& replay) {
+    const Interface& card = input.card();
+    const std::string force = input.unit(dim::force);
+    const std::string stiffness = input.unit(dim::stiffness);
+    const auto n = static_cast<size_t>(input.node);
+    AccountSection section{"normal force", {}};
+    if (card.istf == 1) {
+        section.add("k", replay.acts ? "Stfac" : "0, p = 0", "", node.stiffness, stiffness, "Istf 1, formulation 7");
+    } else {
+        const double element = card.secondary.element_stiffness[n];
+        const bool bounded = replay.acts && node.stiffness != card.stfac * element;
+        section.add("k",
+                    !replay.acts ? "0, p = 0"
+                    : bounded    ? "Stfac S, between Stmin and Stmax"
+                                 : "Stfac S",
+                    replay.acts ? fmt::format("{} x {}", digits(card.stfac), digits(element)) : "", node.stiffness,
+                    stiffness, "formulation 7");
+    }
+    const std::string product = fmt::format("{} x {}", digits(node.stiffness), digits(node.penetration));
+    if (input.inspect.has(Effect::pmax_limit)) {
+        const double limit = replay.pmax.pressure_force;
+        section.add("Delta", "max(g - g0, 0)",
+                    fmt::format("max({} - {}, 0)", digits(node.gap), digits(card.secondary.gap[n])),
+                    replay.pmax.gap_growth, input.unit(dim::length), "formulation 7");
+        section.add("P_A", "A Pmax", fmt::format("{} x {}", digits(card.secondary.area[n]), digits(card.pmax)), limit,
+                    force, "page, comment 5");
+        section.add("k Delta", replay.limited ? "> P_A: plateau" : "<= P_A: no plateau", "",
+                    node.stiffness * replay.pmax.gap_growth, force, "page, equation (5)");
+    }
+    if (replay.limited) {
+        section.add("F", "k max(p - Delta, 0) + min(P_A, k p)", "", node.elastic_force, force, "page, equation (5)");
+    } else {
+        section.add("F", "k p", product, node.elastic_force, force,
+                    card.igap == 2 ? "page, equation (5)" : "formulation 7");
+    }
+    section.add("v", "v_node - (V_t + Omega x (X - x_G))", "", node.relative_velocity, input.unit(dim::velocity),
+                "formulation 7");
+    section.add("v_n", "<v, nu>", "", replay.normal_velocity, input.unit(dim::velocity), "formulation 7");
+    if (input.inspect.has(Effect::damping))
+        section.add("C", "VISs sqrt(2 k m)",
+                    fmt::format("{} sqrt(2 x {} x {})", digits(card.viss), digits(node.stiffness),
+                                digits(input.inspect.mass(input.node))),
+                    node.damping, input.unit({1, 0, -1, 0}), "formulation 7");
+    section.add(
+        "F_n", "F - C v_n",
+        fmt::format("{} - {} x {}", digits(node.elastic_force), digits(node.damping), digits(replay.normal_velocity)),
+        node.normal_force, force, "formulation 7");
+    if (node.normal_force < 0) section.say("", "the damper pulls: kept as measured", "formulation 7");
+    return section;
+}
+
+AccountSection friction_section(const AccountInput& input, const NodeContact& node, const Replay& replay) {
+    const std::string force = input.unit(dim::force);
+    AccountSection section{"friction", {}};
+    if (!replay.has_friction) {
+        section.say("", "no friction on this interface (Fric 0)", "page, comment 12");
+        return section;
+    }
+    add_law(input, replay, section);
+    section.add("mu|F_n|", "", fmt::format("{} x {}", digits(replay.coefficient), digits(std::abs(node.normal_force))),
+                replay.coefficient * std::abs(node.normal_force), force, "page, comment 14");
+    if (std::isfinite(replay.input.cap))
+        section.add("cap", "A Pmax/sqrt(3)", "", replay.input.cap, force, "ITlim 0, page, equation (6)");
+    if (input.inspect.has(Effect::friction_filter))
+        section.add("alpha", fmt::format("Ifiltr {}", input.card().ifiltr.value), "", replay.filter, "",
+                    "page, comment 15");
+    section.add("F_t old", "", "", input.before.friction, force, "of the cycle before");
+    const bool filtered = replay.filter != 1;
+    section.add("T", filtered ? "F_t old + alpha k v dt, along nu removed" : "F_t old + k v dt, along nu removed",
+                fmt::format("k dt = {} x {}", digits(replay.input.stiffness), digits(replay.input.step)),
+                replay.friction.trial, force, filtered ? "page, equation (13)" : "page, equation (12)");
+    section.add("|T|", replay.friction.slips ? "> limit: slips" : "<= limit: sticks",
+                fmt::format("limit {}", digits(replay.limit)), replay.friction.trial.norm(), force, "formulation 8");
+    section.add("F_t", replay.friction.slips ? "T limit/|T|" : "T", "", node.friction, force,
+                std::isfinite(replay.input.cap) ? "page, equation (6)" : "formulation 8");
+    section.add("q", "<T - F_t, F_t>/k", "", replay.slip_energy, input.unit(dim::energy),
+                "slip energy, page, equation (19)");
+    if (input.inspect.has(Effect::skid_line))
+        section.add("skid", "min(1, |F_t| sqrt(3)/(Pskid A)), sliding", "", node.skid, "", "formulation 8");
+    return section;
+}
+
+AccountSection force_section(const AccountInput& input, const NodeAccount& account) {
+    const NodeContact& node = account.node;
+    AccountSection section{"on the node", {}};
+    section.add("F", "F_n nu - F_t", "", node.force, input.unit(dim::force), "formulation 11");
+    if (account.replay.impact)
+        section.add("k_step", input.motion.step > 0 ? "k + C/dt" : "k, dt = 0", "", node.step_stiffness,
+                    input.unit(dim::stiffness), "formulation 7");
+    section.say("check", account.agrees ? "the laws give the force of the run again, to the last bit"
+                                        : "the laws do NOT give the force of the run again: please report this");
+    return section;
+}
+
+}  // namespace type21

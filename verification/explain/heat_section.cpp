@@ -1,0 +1,64 @@
+/// @file Heat of the node (formulation 9).
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reference/contact/heat_exchange.h"
+#include "verification/explain/node_account.h"
+
+namespace type21 {
+
+using namespace reference;
+
+AccountSection heat_section(const AccountInput& input, const NodeContact& node) {
+    const Interface& card = input.card();
+    const HeatExchange& exchange = *input.inspect.heat_exchange();
+    const double area = card.secondary.area[static_cast<size_t>(input.node)];
+    const double d = std::max(node.distance, 0.0);
+    const double blank = input.motion.temperature[static_cast<size_t>(input.model_node())];
+    const double tool = input.inspect.tool_temperature(node.decision, input.motion);
+    const HeatZones zones = heat_zones(card, d, node.gap, input.model().as_built);
+    const std::string kelvin = input.unit(dim::temperature);
+    const std::string energy = input.unit(dim::energy);
+    AccountSection section{"heat", {}};
+    section.add("T_s", "", "", blank, kelvin, "of the node");
+    section.add("T_m", exchange.tool_has_temperatures() ? "a T_A + b T_B + c T_C" : "Tint", "", tool, kelvin,
+                "page, comment 16");
+    section.add("d", "max(delta, 0)", "", d, input.unit(dim::length),
+                zones.conduction ? "<= g: conduction"
+                : zones.any()    ? fmt::format("> g:{}{}", zones.distance ? " conduction over the distance" : "",
+                                            zones.radiation ? " radiation" : "")
+                                 : "> g: no heat");
+    const double conductivity = exchange.conductivity(input.node).at(blank);
+    const std::string conductance = input.unit(dim::conductance);
+    if (zones.conduction || zones.distance)
+        section.add("k_s", "A_S + B_S T_s", "", conductivity, input.unit({1, 1, -3, -1}), "formulation 9");
+    const double pressure = zones.conduction && area > 0 ? std::abs(node.normal_force) / area : 0.0;
+    if (zones.conduction) {
+        section.add("K", card.function_conduction < 0 ? "Kthe" : "Kthe f_K(AscaleK |F_n|/A)", "",
+                    exchange.exchange(pressure), conductance,
+                    card.function_conduction < 0 ? "page, equation (14)" : "page, equation (15)");
+        section.add("A/(d/k_s + 1/K)", "", fmt::format("A = {}", digits(area)), node.conductance,
+                    input.unit({1, 2, -3, -1}), "page, equation (14)");
+    } else if (zones.distance) {
+        const Function& f = input.model().functions[static_cast<size_t>(card.function_distance)];
+        const double share = (d - node.gap) / (card.dcond - node.gap);
+        section.add("f", "f_cond((d - g)/(Dcond - g))", fmt::format("f_cond({})", digits(share)), f(share), "",
+                    "page, equation (20)");
+        section.add("A/(g/k_s + 1/(K f))", "",
+                    fmt::format("A = {}, K = {}", digits(area), digits(exchange.exchange(0.0))), node.conductance,
+                    input.unit({1, 2, -3, -1}), "page, equation (20)");
+    }
+    const double flow = node.heat - node.friction_heat;
+    if (zones.radiation)
+        section.add("radiated", "Frad A (T_m^4 - T_s^4) dt", "",
+                    area * radiated(card.frad, tool, blank) * input.motion.step, energy, "page, equation (17)");
+    section.add("Phi", "from the tool in this cycle", "", flow, energy,
+                zones.conduction ? "page, equation (14)" : "formulation 9");
+    section.add("Fheat q", "friction heat", "", node.friction_heat, energy, "page, equation (19)");
+    section.add("to node", "Phi + Fheat q", "", node.heat, energy, "formulation 9");
+    return section;
+}
+
+}  // namespace type21
