@@ -107,6 +107,15 @@ Model blank_over_tool() {
     return model;
 }
 
+Model thermal_blank_over_tool() {
+    Model model = blank_over_tool();
+    model.nodal_heat_capacity.assign(model.nodes.id.size(), 0.5);
+    model.nodal_heat_capacity.back() = 0;  // main node 3001 is in no shell
+    model.functions.push_back({3, "", {0.0}, {2.0}});
+    model.functions.push_back({4, "", {0.0, 1.0}, {1.0, 0.0}});
+    return model;
+}
+
 Interface resolve_card(Model& model, const std::string& text, Problems& problems) {
     const Deck deck = deck_of(text);
     resolve_interfaces(deck, model, problems);

@@ -29,6 +29,10 @@ Deck deck_of(const std::string& cards);
 /// node 3001 of rigid body 5. Surface 1: blank, surface 2: tool. Units Mg mm s. Nodal mass: 0.001 * (rank + 1).
 Model blank_over_tool();
 
+/// The same with a heat capacity at every node of both sides (0.5 mJ/K) and functions 3 (constant 2) and 4 (from 1 at 0
+/// to 0 at 1).
+Model thermal_blank_over_tool();
+
 /// The interface of one card in this model; its problems in `problems`.
 Interface resolve_card(Model& model, const std::string& text, Problems& problems);
 Interface resolve_fields(Model& model, const Fields& fields, Problems& problems);

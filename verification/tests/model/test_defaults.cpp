@@ -38,7 +38,8 @@ TEST(Defaults, OfABlankCard) {
     EXPECT_EQ(it.bumult, 0.20);
     EXPECT_EQ(it.ascalef, 1.0);
     EXPECT_EQ(it.ascalek, 1.0) << "one MPa, the pressure unit of Mg mm s";
-    EXPECT_EQ(it.nradm, 3);
+    EXPECT_EQ(it.nradm, 1) << "used with Iadm 2 only";
+    EXPECT_EQ(it.angladm, 0.0);
     EXPECT_EQ(it.padm, 1.0);
     EXPECT_EQ(it.kthe, 0.0);
     EXPECT_EQ(it.damp, 0.0);
@@ -193,17 +194,43 @@ TEST(Defaults, FrictionModelReplacesTheCard) {
     EXPECT_EQ(it.fct_idf, 0) << "unused with fric_ID, so no error either";
 }
 
-TEST(Defaults, LawsAndFiltersOfAFrictionModelAreRefused) {
-    const auto errors = [](Model model) {
-        Problems problems;
-        resolve_fields(model, {{"fric_ID", "9"}}, problems);
-        EXPECT_EQ(problems.error_count(), static_cast<int>(about(problems, "fric_ID", error).size()));
-        return problems.error_count();
-    };
-    EXPECT_EQ(errors(with_friction(2, 0, 0)), 1);
-    EXPECT_EQ(errors(with_friction(0, 3, 10.0)), 1);
-    EXPECT_EQ(errors(with_friction(0, 3, 0.0)), 0) << "Xfreq 0: no filter";
-    EXPECT_EQ(errors(with_friction(1, 1, 0.5)), 2);
+TEST(Defaults, FrictionModelBringsItsLawAndItsFilter) {
+    const Interface it = with({{"fric_ID", "9"}, {"Ifric", "1"}, {"Ifiltr", "1"}, {"Xfreq", "0.25"}}, {}, with_friction(2, 3, 10.0));
+    EXPECT_EQ(it.ifric, 2);
+    EXPECT_EQ(it.ifiltr, 3);
+    EXPECT_EQ(it.xfreq, 10.0);
+    EXPECT_EQ(it.card_ifiltr, 1) << "D28 filters with what the card has";
+    EXPECT_EQ(it.card_xfreq, 0.25);
+}
+
+TEST(Defaults, NradmPadmAngladmBelongToIadm2) {
+    const Interface two = with({{"Iadm", "2"}, {"Angladm", "25.0"}});
+    EXPECT_EQ(two.nradm, 3);
+    EXPECT_EQ(two.padm, 1.0);
+    EXPECT_EQ(two.angladm, 25.0) << "in degrees";
+    const Interface given = with({{"Iadm", "2"}, {"NRadm", "4"}, {"Padm", "0.5"}, {"Angladm", "25.0"}});
+    EXPECT_EQ(given.nradm, 4);
+    EXPECT_EQ(given.padm, 0.5);
+    for (const std::string iadm : {"0", "1"}) {
+        const Interface it = with({{"Iadm", iadm}, {"NRadm", "4"}, {"Padm", "0.5"}, {"Angladm", "25.0"}});
+        EXPECT_EQ(it.nradm, 1);
+        EXPECT_EQ(it.padm, 1.0);
+        EXPECT_EQ(it.angladm, 0.0);
+        EXPECT_EQ(it.nradm.origin.kind, Origin::Kind::rule);
+    }
+}
+
+TEST(Defaults, ANegativeIdelActsAsItsValue) {
+    const Interface it = with({{"Idel", "-2"}});
+    EXPECT_EQ(it.idel, 2);
+    EXPECT_EQ(it.idel.origin.kind, Origin::Kind::rule);
+}
+
+TEST(Defaults, PmaxAndItlimActWithIgap2) {
+    const Interface it = with({{"Igap", "2"}, {"Pmax", "600.0"}});
+    EXPECT_EQ(it.pmax, 600.0);
+    EXPECT_EQ(it.itlim, 0) << "the limit is on";
+    EXPECT_EQ(with({{"Igap", "2"}}).pmax, 1e30);
 }
 
 TEST(Defaults, AFilterWithoutFrequencyIsNone) {

@@ -23,6 +23,13 @@ std::vector<FieldRow> table(const Fields& fields) {
     return field_table(it, model.units);
 }
 
+std::vector<FieldRow> thermal_table(const Fields& fields) {
+    Model model = thermal_blank_over_tool();
+    Problems problems;
+    const Interface it = resolve_fields(model, fields, problems);
+    return field_table(it, model.units);
+}
+
 TEST(FieldTable, HasEveryFieldOfTheTwelveLinesInOrder) {
     const auto rows = table({});
     // Fields a line: 8, 5, 3, 5, 4, 7, 5, 1, 3, 5, 5, 4.
@@ -55,7 +62,7 @@ TEST(FieldTable, UnitsAreThoseOfTheWorkUnits) {
 
 TEST(FieldTable, UnitsThatHangOnAFlag) {
     EXPECT_EQ(row_of(table({}), "Kthe").unit, "Mg/(s^3 K)") << "a coefficient";
-    EXPECT_EQ(row_of(table({{"fct_IDK", "4"}}), "Kthe").unit, "") << "the scale of a function";
+    EXPECT_EQ(row_of(thermal_table({{"Ithe", "1"}, {"fct_IDK", "4"}}), "Kthe").unit, "") << "the scale of a function";
     EXPECT_EQ(row_of(table({{"Ifiltr", "3"}, {"Xfreq", "9.0"}}), "Xfreq").unit, "1/s") << "a cutting frequency";
     EXPECT_EQ(row_of(table({{"Ifiltr", "1"}, {"Xfreq", "0.5"}}), "Xfreq").unit, "");
 }

@@ -28,8 +28,7 @@ TEST(Histories, GroupNamesExpand) {
               (Names{"FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"}));
     EXPECT_EQ(request("/TH/NODE/1\nn\nDEF       A\n         1\n").variables,
               (Names{"DX", "DY", "DZ", "VX", "VY", "VZ", "AX", "AY", "AZ"}));
-    EXPECT_EQ(request("/TH/NODE/1\nn\nREACX     TEMP      VRZ       DX\n         1\n").variables,
-              (Names{"DX", "VRZ", "TEMP", "REACX"}));
+    EXPECT_EQ(request("/TH/NODE/1\nn\nREACX     VRZ       DX\n         1\n").variables, (Names{"DX", "VRZ", "REACX"}));
     EXPECT_EQ(request("/TH/RBODY/1\nb\nDEF       D\n         7\n").variables,
               (Names{"FX", "FY", "FZ", "MX", "MY", "MZ", "RX", "RY", "RZ", "DX", "DY", "DZ"}));
 }
@@ -51,6 +50,24 @@ TEST(Histories, AnUnknownVariableIsAWarningAnUnknownObjectAnError) {
     EXPECT_EQ(only(resolved(with_cards("/TH/INTER/1\nn\nDEF\n        66\n")).problems).value, "66");
     EXPECT_EQ(only(resolved(with_cards("/TH/RBODY/1\nn\nDEF\n        66\n")).problems).field, "RBODY_ID");
     EXPECT_EQ(only(resolved(with_cards("/TH/NODE/1\nn\nDX\n         1         5n\n")).problems).field, "skew_ID");
+}
+
+TEST(Histories, TemperaturesStandBetweenVelocitiesAndReactionsInASceneWithHeat) {
+    // The order of a measured OpenRadioss run (commit bd4557b): VRX .., then TEMP, then REACX.
+    const std::string card = "/TH/NODE/1\nn\nREACX     TEMP      VRZ       DX\n         1\n";
+    const std::string heat = "/HEAT/MAT/1\n" + reals({"300.0", "3.6", "50.0"});
+    const std::string ithe =
+        replaced(with_cards(heat + card), ints({"1", "2"}) + std::string(10, '\n'),
+                 ints({"1", "2", "0", "1"}) + std::string(8, '\n') +
+                     "                20.0                                       900.0\n\n");
+    const Resolved hot = resolved(ithe);
+    EXPECT_TRUE(hot.problems.list().empty()) << all_of(hot.problems);
+    EXPECT_EQ(hot.model.histories.at(0).variables, (Names{"DX", "VRZ", "TEMP", "REACX"}));
+    const Resolved cold = resolved(with_cards(heat + card));
+    const Problem note = only(cold.problems);
+    EXPECT_EQ(note.severity, Severity::warning);
+    EXPECT_EQ(note.value, "TEMP");
+    EXPECT_EQ(cold.model.histories.at(0).variables, (Names{"DX", "VRZ", "REACX"}));
 }
 
 TEST(Histories, OtherKindsAreAWarning) {

@@ -15,7 +15,7 @@ const std::string full_card =
     "/INTER/TYPE21/7\n"
     "all fields\n"
     //        1|       20|       30|       40|       50|       60|       70|       80|       90|      100|
-    "         1         2         1         0         1                             2         1         0\n"
+    "         1         2         1         0         1                             2         1         2\n"
     "                1.25                 8.0                 3.5               150.0         1\n"
     "                10.0                20.0                                    30.0\n"
     "              1000.0                0.12                 0.2              1.0e-3              2.0e-3\n"
@@ -45,7 +45,7 @@ TEST(InterfaceCard, EveryFieldIsReadFromItsColumns) {
     EXPECT_EQ(it.igap, 1);
     EXPECT_EQ(it.idel, 2);
     EXPECT_EQ(it.invn, 1);
-    EXPECT_EQ(it.iadm, 0);
+    EXPECT_EQ(it.iadm, 2);
     EXPECT_EQ(it.fscalegap, 1.25);
     EXPECT_EQ(it.gapmax, 8.0);
     EXPECT_EQ(it.depth, 3.5);
@@ -69,9 +69,9 @@ TEST(InterfaceCard, EveryFieldIsReadFromItsColumns) {
     EXPECT_EQ(it.ascalef, 2.0);
     for (size_t i = 0; i < 6; ++i)
         EXPECT_EQ(it.c[i], 0.01 * (static_cast<double>(i) + 1)) << "C" << i + 1;
-    EXPECT_EQ(it.nradm, 4);
-    EXPECT_EQ(it.padm, 0.9);
-    EXPECT_EQ(it.angladm, 25.0);
+    EXPECT_EQ(it.nradm, 1) << "4, 0.9 and 25 in the deck, but used with Iadm 2 only";
+    EXPECT_EQ(it.padm, 1.0);
+    EXPECT_EQ(it.angladm, 0.0);
     EXPECT_EQ(it.idrby, 5);
     EXPECT_EQ(it.idref, 0);
     EXPECT_EQ(it.damp, 0.4);
@@ -85,7 +85,7 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
     // The same numbers at the left end of their fields: a field that began too late would lose its first digit.
     const std::string left_justified =
         "/INTER/TYPE21/7\nleft\n"
-        "1         2         1         1         1                             2         1         0\n"
+        "1         2         1         1         1                             2         1         2\n"
         "1.25                8.0                 3.5                 150.0               1\n"
         "10.0                20.0                                    30.0\n"
         "1000.0              0.12                0.2                 1.0e-3              2.0e-3\n"
@@ -102,11 +102,11 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
                             "         1         2         1         1");
     right_justified.replace(right_justified.find("       101"), 10, "       111");
     const auto values = [](const std::string& text) {
-        Model model = blank_over_tool();
+        Model model = thermal_blank_over_tool();
         model.sensors.push_back({4, "", 0.5, 1e30});
         Problems problems;
         const Interface it = resolve_card(model, text, problems);
-        EXPECT_EQ(problems.error_count(), 1) << "Ithe alone";
+        EXPECT_EQ(problems.error_count(), 0);
         for (const Problem& problem : problems.list())
             EXPECT_EQ(problem.field.find("columns"), std::string::npos) << to_text(problem);
         std::map<std::string, std::string> of_field;
@@ -118,13 +118,15 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
 }
 
 TEST(InterfaceCard, HeatFieldsAreReadFromTheirColumns) {
-    // With Ithe the card is refused, but its numbers stand where they were read.
-    Model model = blank_over_tool();
+    Model model = thermal_blank_over_tool();
     Problems problems;
     std::string text = full_card;
     text.replace(text.find("         1         2         1         0"), 40, "         1         2         1         1");
+    text = text.replace(text.find("                   0                 5.5"), 40,
+                        "                   4                 3.5");
     const Interface it = resolve_card(model, text, problems);
-    ASSERT_EQ(about(problems, "Ithe", error).size(), 1u);
+    EXPECT_EQ(problems.error_count(), 0);
+    EXPECT_EQ(it.ithe, 1);
     EXPECT_EQ(it.kthe, 1.5);
     EXPECT_EQ(it.ascalek, 2.5);
     EXPECT_EQ(it.tint, 300.0);
@@ -132,8 +134,8 @@ TEST(InterfaceCard, HeatFieldsAreReadFromTheirColumns) {
     EXPECT_EQ(it.frad, 0.3);
     EXPECT_EQ(it.drad, 4.5);
     EXPECT_EQ(it.fheat, 0.6);
-    EXPECT_EQ(it.fcond, 0);
-    EXPECT_EQ(it.dcond, 5.5);
+    EXPECT_EQ(it.fcond, 4);
+    EXPECT_EQ(it.dcond, 3.5);
 }
 
 TEST(InterfaceCard, OriginsNameTheLineOfTheDeck) {
@@ -332,6 +334,43 @@ TEST(InterfaceUnits, StfacOfIstf0AndItsBounds) {
     EXPECT_EQ(it.stfac, 0.5) << "a pure number for Istf 0";
     EXPECT_DOUBLE_EQ(it.stmin, 1.0);
     EXPECT_DOUBLE_EQ(it.stmax, 1e3);
+}
+
+TEST(InterfaceUnits, HeatConvertsByDimension) {
+    // 1 W/(m^2 K) = 1e-3 Mg/(s^3 K); W is kg m^2/s^3, so a coefficient has no length; m = 1000 mm; 1 Pa = 1e-6 MPa.
+    Model model = thermal_blank_over_tool();
+    model.unit_ids[3] = {1.0, 1.0, 1.0, "kg", "m", "s"};
+    const auto card = [&](Fields fields) {
+        fields.merge(
+            Fields{{"Ithe", "1"}, {"Frad", "5.67e-8"}, {"Drad", "0.004"}, {"AscaleK", "2e6"}, {"Tint", "900.0"}});
+        Problems problems;
+        model.interfaces.clear();
+        const Interface it = resolve_card(model, card_text(fields, "/INTER/TYPE21/1/3"), problems);
+        EXPECT_EQ(problems.error_count(), 0);
+        return it;
+    };
+    const Interface it = card({{"Kthe", "2e4"}});
+    EXPECT_DOUBLE_EQ(it.kthe, 20.0);
+    EXPECT_DOUBLE_EQ(it.frad, 5.67e-11);
+    EXPECT_DOUBLE_EQ(it.drad, 4.0);
+    EXPECT_DOUBLE_EQ(it.ascalek, 2.0);
+    EXPECT_EQ(it.tint, 900.0);
+    EXPECT_EQ(card({{"Kthe", "2e4"}, {"fct_IDK", "3"}}).kthe, 2e4) << "the scale of a function is a pure number";
+    model.as_built.set(Departure::D36);
+    EXPECT_DOUBLE_EQ(card({{"fct_IDK", "3"}}).kthe, 1e-3) << "D36: one W/(m^2 K), the unit of the card";
+}
+
+TEST(InterfaceUnits, XfreqIsAFrequencyOfIfiltr3Only) {
+    Model model = blank_over_tool();
+    model.input_units = {1e3, 1e-3, 1e-3, "Mg", "mm", "ms"};
+    const auto xfreq = [&](const std::string& ifiltr) {
+        Problems problems;
+        model.interfaces.clear();
+        return resolve_fields(model, {{"Fric", "0.1"}, {"Ifiltr", ifiltr}, {"Xfreq", "0.5"}}, problems).xfreq.value;
+    };
+    EXPECT_EQ(xfreq("1"), 0.5);
+    EXPECT_EQ(xfreq("2"), 0.5);
+    EXPECT_DOUBLE_EQ(xfreq("3"), 500.0) << "1/ms in 1/s";
 }
 
 TEST(InterfaceUnits, InputUnitsOfBeginHoldWithoutUnitId) {

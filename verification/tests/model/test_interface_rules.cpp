@@ -1,4 +1,4 @@
-// Ranges, effects that this version does not have, fields without effect.
+// Ranges, fields that exclude each other, fields without effect.
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
@@ -46,15 +46,16 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"unknown_main", {{"surf_IDm", "78"}}, "surf_IDm", "no surface 78"},
         Wrong{"istf_2", {{"Istf", "2"}}, "Istf", "one of 0, 1"},
         Wrong{"istf_negative", {{"Istf", "-1"}}, "Istf", "one of 0, 1"},
-        Wrong{"ithe_1", {{"Ithe", "1"}}, "Ithe", "no heat exchange"},
-        Wrong{"ithe_2", {{"Ithe", "2"}}, "Ithe", "no heat exchange"},
-        Wrong{"igap_2", {{"Igap", "2"}}, "Igap", "not in this version"},
         Wrong{"igap_3", {{"Igap", "3"}}, "Igap", "one of 0, 1, 2"},
         Wrong{"igap_huge", {{"Igap", "9999999999"}}, "Igap", "one of 0, 1, 2"},
-        Wrong{"idel_3", {{"Idel", "3"}}, "Idel", "one of 0, 1, 2"},
-        Wrong{"idel_negative", {{"Idel", "-1"}}, "Idel", "one of 0, 1, 2"},
+        Wrong{"idel_3", {{"Idel", "3"}}, "Idel", "one of -2, -1, 0, 1, 2"},
+        Wrong{"idel_negative", {{"Idel", "-3"}}, "Idel", "one of -2, -1, 0, 1, 2"},
         Wrong{"invn_2", {{"Invn", "2"}}, "Invn", "one of 0, 1"},
-        Wrong{"iadm_1", {{"Iadm", "1"}}, "Iadm", "no adaptive meshing"},
+        Wrong{"iadm_3", {{"Iadm", "3"}}, "Iadm", "one of 0, 1, 2"},
+        Wrong{"nradm", {{"Iadm", "2"}, {"Angladm", "30.0"}, {"NRadm", "-1"}}, "NRadm", "negative"},
+        Wrong{"padm", {{"Iadm", "2"}, {"Angladm", "30.0"}, {"Padm", "-1.0"}}, "Padm", "negative"},
+        Wrong{"angladm", {{"Iadm", "2"}, {"Angladm", "181.0"}}, "Angladm", "between 0 and 180"},
+        Wrong{"angladm_negative", {{"Iadm", "2"}, {"Angladm", "-1.0"}}, "Angladm", "between 0 and 180"},
         Wrong{"fscalegap", {{"Igap", "1"}, {"Fscalegap", "-1.0"}}, "Fscalegap", "negative"},
         Wrong{"gapmax", {{"Igap", "1"}, {"Gapmax", "-1.0"}}, "Gapmax", "negative"},
         Wrong{"depth", {{"DEPTH", "-1.0"}}, "DEPTH", "negative"}, Wrong{"pmax", {{"Pmax", "-1.0"}}, "Pmax", "negative"},
@@ -72,17 +73,14 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"inacti_7", {{"Inacti", "7"}}, "Inacti", "one of 0, 1, 3, 5, 6"},
         Wrong{"viss", {{"VISs", "-0.1"}}, "VISs", "negative"},
         Wrong{"bumult", {{"Bumult", "-0.1"}}, "Bumult", "negative"},
-        Wrong{"ifric_1", {{"Ifric", "1"}}, "Ifric", "no friction laws"},
-        Wrong{"ifric_4", {{"Ifric", "4"}}, "Ifric", "no friction laws"},
         Wrong{"ifric_5", {{"Ifric", "5"}}, "Ifric", "one of 0, 1, 2, 3, 4"},
-        Wrong{"ifiltr", {{"Ifiltr", "1"}, {"Xfreq", "0.5"}}, "Ifiltr", "no friction filter"},
+        Wrong{"xfreq_1", {{"Fric", "0.1"}, {"Ifiltr", "1"}, {"Xfreq", "1.01"}}, "Xfreq", "between 0 and 1"},
+        Wrong{"xfreq_2", {{"Fric", "0.1"}, {"Ifiltr", "2"}, {"Xfreq", "20.0"}}, "Xfreq", "between 0 and 1"},
+        Wrong{"xfreq_3", {{"Fric", "0.1"}, {"Ifiltr", "3"}, {"Xfreq", "-1.0"}}, "Xfreq", "negative"},
         Wrong{"ifiltr_4", {{"Ifiltr", "4"}}, "Ifiltr", "one of 0, 1, 2, 3"},
         Wrong{"xfreq", {{"Ifiltr", "0"}, {"Xfreq", "-0.5"}}, "Xfreq", "negative"},
         Wrong{"sensor", {{"sens_ID", "6"}}, "sens_ID", "no /SENSOR/TIME"},
-        Wrong{"fct_idf", {{"fct_IDF", "13"}}, "fct_IDF", "temperature"},
         Wrong{"fric_id", {{"fric_ID", "8"}}, "fric_ID", "no /FRICTION"},
-        Wrong{"fct_idk", {{"fct_IDK", "13"}}, "fct_IDK", "no heat exchange"},
-        Wrong{"fcond", {{"Fcond", "13"}}, "Fcond", "no heat exchange"},
         Wrong{"no_rbody", {{"IDrby", "0"}}, "IDrby", "must be given"},
         Wrong{"unknown_rbody", {{"IDrby", "6"}}, "IDrby", "no /RBODY"},
         Wrong{"unknown_ref", {{"IDref", "9"}, {"Damp", "0.1"}}, "IDref", "no /INTER/TYPE21"},
@@ -104,14 +102,22 @@ TEST_P(IdleField, IsAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, IdleField,
-    testing::Values(Wrong{"idel_1", {{"Idel", "1"}}, "Idel", "no element is ever deleted"},
-                    Wrong{"idel_2", {{"Idel", "2"}}, "Idel", "no element is ever deleted"},
+    testing::Values(Wrong{"idel_negative", {{"Idel", "-1"}}, "Idel", "acts as 1"},
+                    Wrong{"iadm", {{"Iadm", "1"}}, "Iadm", "no element is divided"},
+                    Wrong{"angladm_0", {{"Iadm", "2"}}, "Angladm", "every bend"},
                     Wrong{"fscalegap", {{"Fscalegap", "2.0"}}, "Fscalegap", "Igap 0 is Gapmin"},
                     Wrong{"gapmax", {{"Gapmax", "2.0"}}, "Gapmax", "Igap 0 is Gapmin"},
                     Wrong{"pmax_igap0", {{"Pmax", "2.0"}}, "Pmax", "only with Igap 2"},
                     Wrong{"pmax_igap1", {{"Igap", "1"}, {"Pmax", "2.0"}}, "Pmax", "only with Igap 2"},
                     Wrong{"itlim", {{"ITlim", "1"}}, "ITlim", "only with Igap 2"},
-                    Wrong{"pskid", {{"Pskid", "9.0"}}, "Pskid", "SKID_LINE"},
+                    Wrong{"itlim_igap2", {{"Igap", "2"}, {"ITlim", "1"}}, "ITlim", "Pmax is 0"},
+                    Wrong{"pskid", {{"Pskid", "9.0"}}, "Pskid", "no friction"},
+                    Wrong{"ifiltr", {{"Ifiltr", "1"}, {"Xfreq", "0.5"}}, "Ifiltr", "no friction"},
+                    Wrong{"c6_law_1", {{"Ifric", "1"}, {"C6", "0.5"}}, "C6", "law 1 does not use it"},
+                    Wrong{"c3_law_4", {{"Ifric", "4"}, {"C3", "0.5"}}, "C3", "law 4 does not use it"},
+                    Wrong{"fct_idf_law_1", {{"Ifric", "1"}, {"fct_IDF", "13"}}, "fct_IDF", "Ifric 0 only"},
+                    Wrong{"fct_idk", {{"fct_IDK", "13"}}, "fct_IDK", "Ithe is 0"},
+                    Wrong{"fcond", {{"Fcond", "13"}}, "Fcond", "Ithe is 0"},
                     Wrong{"gapmin_above_gapmax",
                           {{"Igap", "1"}, {"Gapmin", "2.0"}, {"Gapmax", "1.0"}},
                           "Gapmin",
@@ -141,11 +147,14 @@ TEST(InterfaceRules, ACleanCardHasNoProblem) {
     EXPECT_TRUE(problems_of({}).list().empty());
     EXPECT_TRUE(
         problems_of({{"Igap", "1"}, {"Fric", "0.1"}, {"Istf", "1"}, {"Stfac", "5.0"}, {"Damp", "0.1"}}).list().empty());
+    EXPECT_TRUE(problems_of({{"Igap", "2"}, {"Pmax", "600.0"}, {"ITlim", "1"}, {"Fric", "0.1"}, {"Pskid", "50.0"}, {"Idel", "2"}})
+                    .list()
+                    .empty());
 }
 
 TEST(InterfaceRules, AllMistakesAreReportedAtOnce) {
     const Problems problems = problems_of(
-        {{"Istf", "7"}, {"Igap", "2"}, {"Fric", "-1.0"}, {"Inacti", "2"}, {"IDrby", "66"}, {"VISs", "-1.0"}});
+        {{"Istf", "7"}, {"Igap", "3"}, {"Fric", "-1.0"}, {"Inacti", "2"}, {"IDrby", "66"}, {"VISs", "-1.0"}});
     EXPECT_EQ(problems.error_count(), 6);
 }
 

@@ -33,7 +33,17 @@ TEST(Plan, EachFieldAsksForItsEffect) {
         list.erase(list.begin(), list.begin() + 2);
         return list;
     };
-    EXPECT_EQ(extra({{"Fric", "0.1"}}), List{Effect::coulomb});
+    EXPECT_EQ(extra({{"Fric", "0.1"}}), List{Effect::friction});
+    EXPECT_EQ(extra({{"Ifric", "1"}}), List{Effect::friction}) << "law 1 may rub whatever its numbers";
+    EXPECT_EQ(extra({{"Ifric", "4"}}), List{Effect::friction});
+    EXPECT_EQ(extra({{"Igap", "2"}}), List{Effect::gap_growth});
+    EXPECT_EQ(extra({{"Igap", "2"}, {"Pmax", "600.0"}}), (List{Effect::gap_growth, Effect::pmax_limit}));
+    EXPECT_EQ(extra({{"Igap", "2"}, {"Pmax", "1e30"}}), List{Effect::gap_growth});
+    EXPECT_EQ(extra({{"Igap", "1"}, {"Pmax", "600.0"}}), List{});
+    EXPECT_EQ(extra({{"Iadm", "1"}}), List{Effect::adaptive_data});
+    EXPECT_EQ(extra({{"Iadm", "2"}, {"Angladm", "30.0"}}), List{Effect::adaptive_data});
+    EXPECT_EQ(extra({{"Idel", "1"}}), List{Effect::deletion});
+    EXPECT_EQ(extra({{"Idel", "-2"}}), List{Effect::deletion});
     EXPECT_EQ(extra({{"IBC", "001"}}), List{Effect::release_bcs});
     EXPECT_EQ(extra({{"Invn", "1"}}), List{Effect::normals_test});
     EXPECT_EQ(extra({{"Damp", "0.1"}}), List{Effect::tool_damping});
@@ -50,6 +60,41 @@ TEST(Plan, EachFieldAsksForItsEffect) {
     EXPECT_EQ(extra({{"sens_ID", "3"}}, model), List{}) << "D09: the sensor is ignored";
 }
 
+TEST(Plan, FilterAndSkidLineNeedFriction) {
+    const Fields filter{{"Ifiltr", "1"}, {"Xfreq", "0.5"}, {"Pskid", "9.0"}};
+    EXPECT_EQ(effects(filter).size(), 2u) << "nothing rubs";
+    Fields rubbing = filter;
+    rubbing["Fric"] = "0.1";
+    EXPECT_EQ(effects(rubbing), (List{Effect::elastic, Effect::damping, Effect::friction, Effect::friction_filter,
+                                      Effect::skid_line}));
+    rubbing["Xfreq"] = "0.0";
+    rubbing["Pskid"] = "1e30";
+    EXPECT_EQ(effects(rubbing), (List{Effect::elastic, Effect::damping, Effect::friction}));
+}
+
+TEST(Plan, HeatIsThereOnlyWithIthe) {
+    const Model hot = thermal_blank_over_tool();
+    EXPECT_EQ(effects({}, hot), (List{Effect::elastic, Effect::damping})) << "a thermal material asks for nothing";
+    EXPECT_EQ(effects({{"Ithe", "1"}, {"Kthe", "20.0"}, {"Tint", "900.0"}}, hot),
+              (List{Effect::elastic, Effect::damping, Effect::heat}));
+    EXPECT_EQ(effects({{"Ithe", "1"}, {"Kthe", "20.0"}, {"Tint", "900.0"}, {"fct_IDF", "3"}}, hot),
+              (List{Effect::elastic, Effect::damping, Effect::friction, Effect::friction_heat_factor, Effect::heat}));
+    EXPECT_EQ(effects({{"Ithe", "1"}, {"Kthe", "20.0"}, {"Tint", "900.0"}, {"fct_IDF", "3"}, {"Ifric", "1"}}, hot),
+              (List{Effect::elastic, Effect::damping, Effect::friction, Effect::heat}))
+        << "fct_IDF scales Fric of law 0 only";
+}
+
+TEST(Plan, D28FiltersByTheCardWhereFrictionModelDoesNot) {
+    Model model = blank_over_tool();
+    model.friction_models.push_back({});
+    model.friction_models[0].id = 9;
+    model.friction_models[0].fallback.fric = 0.1;
+    const Fields fields{{"fric_ID", "9"}, {"Ifiltr", "1"}, {"Xfreq", "0.5"}};
+    EXPECT_EQ(effects(fields, model).back(), Effect::friction);
+    model.as_built.set(Departure::D28);
+    EXPECT_EQ(effects(fields, model).back(), Effect::friction_filter);
+}
+
 TEST(Plan, FrictionModelRubsByItsDefaultOrByAPair) {
     Model model = blank_over_tool();
     model.friction_models.push_back({});
@@ -58,10 +103,10 @@ TEST(Plan, FrictionModelRubsByItsDefaultOrByAPair) {
     FrictionPair pair;
     pair.coefficients.fric = 0.2;
     model.friction_models[0].pairs.push_back(pair);
-    EXPECT_EQ(effects({{"fric_ID", "9"}}, model).back(), Effect::coulomb);
+    EXPECT_EQ(effects({{"fric_ID", "9"}}, model).back(), Effect::friction);
     model.friction_models[0].pairs.clear();
     model.friction_models[0].fallback.fric = 0.1;
-    EXPECT_EQ(effects({{"fric_ID", "9"}}, model).back(), Effect::coulomb);
+    EXPECT_EQ(effects({{"fric_ID", "9"}}, model).back(), Effect::friction);
 }
 
 TEST(Plan, OneListForEachInterface) {
@@ -69,10 +114,10 @@ TEST(Plan, OneListForEachInterface) {
     Problems problems;
     resolve_card(model, card_text({{"Fric", "0.1"}}) + card_text({{"Invn", "1"}}, "/INTER/TYPE21/2"), problems);
     const Scene scene = plan(std::make_shared<const Model>(model));
-    EXPECT_TRUE(scene.has(0, Effect::coulomb));
+    EXPECT_TRUE(scene.has(0, Effect::friction));
     EXPECT_FALSE(scene.has(0, Effect::normals_test));
     EXPECT_TRUE(scene.has(1, Effect::normals_test));
-    EXPECT_FALSE(scene.has(1, Effect::coulomb));
+    EXPECT_FALSE(scene.has(1, Effect::friction));
     EXPECT_EQ(scene.model->interfaces.size(), 2u);
 }
 
