@@ -161,6 +161,7 @@ TEST(FrictionFunction, OfAnotherLawIsIdle) {
 Problems of_card(const std::string& first, const std::string& coefficients, const std::string& pair = "",
                  const std::string& as_built = "") {
     const TempFolder folder;
+    folder.write("scene_0001.rad", driven_engine());
     Problems problems;
     const AsBuilt set = AsBuilt::parse(as_built, problems);
     const Deck deck = read_deck(

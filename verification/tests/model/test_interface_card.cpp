@@ -69,9 +69,9 @@ TEST(InterfaceCard, EveryFieldIsReadFromItsColumns) {
     EXPECT_EQ(it.ascalef, 2.0);
     for (size_t i = 0; i < 6; ++i)
         EXPECT_EQ(it.c[i], 0.01 * (static_cast<double>(i) + 1)) << "C" << i + 1;
-    EXPECT_EQ(it.nradm, 1) << "4, 0.9 and 25 in the deck, but used with Iadm 2 only";
-    EXPECT_EQ(it.padm, 1.0);
-    EXPECT_EQ(it.angladm, 0.0);
+    EXPECT_EQ(it.nradm, 4);
+    EXPECT_EQ(it.padm, 0.9);
+    EXPECT_EQ(it.angladm, 25.0);
     EXPECT_EQ(it.idrby, 5);
     EXPECT_EQ(it.idref, 0);
     EXPECT_EQ(it.damp, 0.4);
@@ -119,6 +119,7 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
 
 TEST(InterfaceCard, HeatFieldsAreReadFromTheirColumns) {
     Model model = thermal_blank_over_tool();
+    model.sensors.push_back({4, "", 0.5, 1e30});
     Problems problems;
     std::string text = full_card;
     text.replace(text.find("         1         2         1         0"), 40, "         1         2         1         1");
