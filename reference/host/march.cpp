@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "reference/host/integrate.h"
+#include "reference/host/shell_conduction.h"
 #include "reference/host/time_step.h"
 
 namespace type21 {
@@ -68,13 +69,17 @@ void add_totals(const ContactSums& sums, double weight, InterfaceTotals& totals)
 }
 
 /// T += heat / (nodal heat capacity); a node without capacity keeps its temperature.
-void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, HostState& state) {
+void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, const std::vector<double>& inside,
+                HostState& state) {
     if (state.temperature.empty() || model.nodal_heat_capacity.empty()) return;
     const auto give = [&](int node, double heat) {
         const auto n = static_cast<size_t>(node);
         const double capacity = model.nodal_heat_capacity[n];
         if (capacity > 0) state.temperature[n] += heat / capacity;
     };
+    for (size_t n = 0; n < inside.size(); ++n) {
+        if (inside[n] != 0) give(static_cast<int>(n), inside[n]);
+    }
     for (size_t i = 0; i < steps.size(); ++i) {
         const auto& nodes = model.interfaces[i].secondary.node;
         for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
@@ -197,7 +202,7 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
         HostState next = state;
         release(model, steps, next);
         advance(model, forces_of(model, state, steps), step, next);
-        heat_nodes(model, steps, next);
+        heat_nodes(model, steps, shell_conduction(model, state, state.step), next);
         // The thickness of the next contact is that of the end of this cycle.
         if (options.thickness != nullptr) options.thickness->at(state.time, next.thickness);
         CycleRecord record;
