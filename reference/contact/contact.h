@@ -32,6 +32,7 @@ class ContactMethod {
     virtual ContactStep step(const Motion& motion) = 0;
     /// The nodes that penetrate at time 0 with the nodes at `position` (indexed like Model::nodes); nothing is
     /// remembered.
+    /// @page field Inacti; comment 8; departure D31
     virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
     /// The effects that hold anything, and how much.
     virtual std::vector<RoomSize> rooms() const = 0;

@@ -17,6 +17,7 @@ struct Reach {
 };
 
 /// Contact, proximity or nothing; all comparisons strict. Formulation section 3, step 5.
+/// @page field DEPTH; comment 4
 template <class Number>
 Kind classify(const Approach<Number>& near, const Reach<Number>& reach) {
     const Number& d2 = near.squared_distance;
@@ -40,6 +41,7 @@ struct Impact {
 /// True when `one` is retained rather than `other`: contact before proximity, then the smaller kappa, then the lower
 /// segment, then the lower sub-triangle. No two different impacts are equal, so the order of candidates cannot matter.
 /// @param one_race  D11: contact and proximity compete on kappa alone
+/// @page departure D11
 template <class Number>
 bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool one_race = false) {
     const bool race = one_race && one.kind != Kind::none && other.kind != Kind::none;

@@ -24,6 +24,7 @@ size_t coefficients_of(int ifric) {
     return ifric >= 0 && ifric <= 4 ? count[ifric] : 6;
 }
 
+/// @page field Ifric; comment 13; departure D17
 void check_law(const InterfaceJudge& judge) {
     const Interface& it = judge.interface;
     for (size_t rank = coefficients_of(it.ifric); rank < it.c.size(); ++rank)
@@ -38,6 +39,7 @@ void check_law(const InterfaceJudge& judge) {
         judge.error(coefficient_name(fault.rank), fault.rule, fault.remedy);
 }
 
+/// @page field fct_IDF
 void check_function(const InterfaceJudge& judge) {
     const Interface& it = judge.interface;
     unused(judge, "AscaleF", it.ascalef != 0 && it.fct_idf == 0, "fct_IDF is 0");
@@ -63,6 +65,7 @@ void check_replaced(const InterfaceJudge& judge) {
 }
 
 /// /FRICTION replaces the friction fields of the card. Source: formulation 8.
+/// @page field fric_ID
 void apply_friction_model(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.friction_model < 0) return;

@@ -39,6 +39,7 @@ void settle_drad(const InterfaceJudge& judge, std::string_view prefix) {
 
 }  // namespace
 
+/// @page field Drad, Dcond; comment 17, 24; departure D14
 void resolve_heat_distances(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.ithe == 0) return;

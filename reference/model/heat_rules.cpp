@@ -67,6 +67,7 @@ void check_heat_card(const InterfaceJudge& judge) {
     }
 }
 
+/// @page field Kthe, AscaleK; departure D36
 void apply_heat(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     // Blank is one unit of the card, not of the work units.
@@ -85,6 +86,7 @@ void apply_heat(const InterfaceJudge& judge) {
     default_for_zero(it.ascalek, one(dim::pressure), "0 means 1 in the units of the card");
 }
 
+/// @page field Fcond; comment 22
 void check_distance_function(const InterfaceJudge& judge) {
     const Interface& it = judge.interface;
     if (it.function_distance < 0) return;

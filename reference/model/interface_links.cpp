@@ -64,6 +64,7 @@ void link_interface(const InterfaceJudge& judge) {
                     "Give the id of the /RBODY that holds every main node");
 }
 
+/// @page field IDref
 void link_reference_interface(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.idref == 0) return;

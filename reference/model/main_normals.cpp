@@ -78,6 +78,7 @@ Pairs facing_pairs(const std::vector<Vec3>& x, const std::vector<Sample>& sample
 
 }  // namespace
 
+/// @page field Invn; comment 21
 void check_main_normals(const InterfaceJudge& judge) {
     constexpr double across = 0.02;
     const auto& segments = judge.model.surfaces[at(judge.interface.main_surface)].segments;

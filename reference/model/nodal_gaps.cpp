@@ -65,6 +65,7 @@ double mean_shell_thickness(const InterfaceJudge& judge) {
 }
 
 /// Gapmin of Igap 0; half of a mean thickness if it is not given.
+/// @page field Gapmin; comment 2; departure D19
 void resolve_constant_gap(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.gapmin != 0) return;
@@ -82,6 +83,7 @@ void resolve_constant_gap(const InterfaceJudge& judge) {
                       "Give Gapmin");
 }
 
+/// @page field DEPTH; comment 4
 void resolve_depth(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     if (it.depth == 0) {
@@ -110,6 +112,7 @@ std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& 
     return picked(largest, nodes);
 }
 
+/// @page eq 3, 4; departure D29
 std::vector<double> contact_thickness(const Model& model, const Surface& secondary, const std::vector<int>& nodes) {
     if (model.as_built.has(Departure::D29)) return picked(contact_thickness_d29(model, secondary), nodes);
     std::vector<double> largest(model.nodes.id.size(), 0.0);
@@ -119,6 +122,7 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
     return picked(largest, nodes);
 }
 
+/// @page eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D33
 void resolve_gaps(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     SecondarySide& side = it.secondary;

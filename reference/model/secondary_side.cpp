@@ -69,6 +69,7 @@ double shortest_edge(const Model& model, const Surface& surface) {
     return shortest;
 }
 
+/// @page field surf_IDs
 void build_secondary_side(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
     const Model& model = judge.model;

@@ -50,6 +50,7 @@ std::string node_list(const Model& model, const std::vector<int>& nodes) {
     return fmt::format("{} nodes: {}", nodes.size(), first_few(ids(model, nodes)));
 }
 
+/// @page field IDrby
 void check_main_nodes(const InterfaceJudge& judge, const std::vector<int>& main) {
     std::vector<int> outside;
     const auto& body = tool(judge).nodes;
@@ -60,6 +61,7 @@ void check_main_nodes(const InterfaceJudge& judge, const std::vector<int>& main)
                      "Add these nodes to the node group of the /RBODY, or take their segments out of the main surface");
 }
 
+/// @page field surf_IDs, surf_IDm; departure D18
 void check_shared_nodes(const InterfaceJudge& judge, const std::vector<int>& shared) {
     if (shared.empty()) return;
     if (judge.model.as_built.has(Departure::D18))
@@ -87,6 +89,7 @@ void check_secondary_nodes(const InterfaceJudge& judge, const std::vector<int>& 
                      "Take these nodes out of the /RBODY or out of the secondary surface");
 }
 
+/// @page field surf_IDm; comment 1
 void check_elements(const InterfaceJudge& judge, std::string_view field, const Surface& surface,
                     std::string_view consequence) {
     std::vector<Id> ranks;

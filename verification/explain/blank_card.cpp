@@ -3,8 +3,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "reference/model/interface_fields.h"
 #include "reference/model/resolve_interfaces.h"
 
@@ -13,7 +11,7 @@ namespace {
 
 constexpr int card_lines = 12;
 
-std::string card_text() {
+std::string card_text(const CardFields& fields) {
     std::vector<std::string> lines(card_lines, std::string(100, ' '));
     const auto put = [&](std::string_view name, std::string_view text) {
         for (const InterfaceField& field : interface_fields())
@@ -25,6 +23,8 @@ std::string card_text() {
     put("surf_IDs", "1");
     put("surf_IDm", "2");
     put("IDrby", "1");
+    for (const auto& [name, text] : fields)
+        put(name, text);
     std::string text = "/INTER/TYPE21/1\nblank\n";
     for (const std::string& line : lines)
         text += line + "\n";
@@ -32,10 +32,10 @@ std::string card_text() {
 }
 
 /// The text as a deck of one card.
-Deck deck_of_card() {
+Deck deck_of_card(const std::string& card_lines_text) {
     Deck deck;
     deck.files = {"blank card"};
-    deck.texts = {std::make_shared<const std::string>(card_text())};
+    deck.texts = {std::make_shared<const std::string>(card_lines_text)};
     const std::string_view text = *deck.texts.front();
     std::vector<DataLine> lines;
     for (size_t begin = 0; begin < text.size();) {
@@ -106,18 +106,15 @@ Model two_quads() {
 
 }  // namespace
 
-const Interface& blank_card() {
-    static const Interface resolved = [] {
-        const Deck deck = deck_of_card();
-        Model model = two_quads();
-        Problems problems;
-        resolve_interfaces(deck, model, problems);
-        if (problems.has_errors() || model.interfaces.empty())
-            throw std::logic_error("the blank card is refused: " +
-                                   (problems.list().empty() ? std::string() : to_text(problems.list().front())));
-        return model.interfaces.front();
-    }();
-    return resolved;
+Interface blank_card(const CardFields& fields) {
+    const Deck deck = deck_of_card(card_text(fields));
+    Model model = two_quads();
+    Problems problems;
+    resolve_interfaces(deck, model, problems);
+    if (problems.has_errors() || model.interfaces.empty())
+        throw std::logic_error("the blank card is refused: " +
+                               (problems.list().empty() ? std::string() : to_text(problems.list().front())));
+    return model.interfaces.front();
 }
 
 }  // namespace type21

@@ -65,7 +65,9 @@ std::string unit_words(const InterfaceField& field) {
 }
 
 std::string default_words(const InterfaceField& field) {
-    const Interface& card = blank_card();
+    // Blank where the field is used at all.
+    const bool adaptive = field.name == "NRadm" || field.name == "Padm";
+    const Interface card = blank_card(adaptive ? CardFields{{"Iadm", "2"}, {"Angladm", "30.0"}} : CardFields{});
     const Origin origin = with_field(card, field, [](const auto& value) { return value.origin; });
     if (field.name == "surf_IDs" || field.name == "surf_IDm" || field.name == "IDrby") return "none: it must be given";
     for (const FieldRow& row : field_table(card, UnitSystem{}))

@@ -123,11 +123,18 @@ AccountSection friction_section(const AccountInput& input, const NodeContact& no
                     "page, comment 15");
     section.add("F_t old", "", "", input.before.friction, force, "of the cycle before");
     const bool filtered = replay.filter != 1;
-    section.add("T", filtered ? "F_t old + alpha k v dt, along nu removed" : "F_t old + k v dt, along nu removed",
-                fmt::format("k dt = {} x {}", digits(replay.input.stiffness), digits(replay.input.step)),
-                replay.friction.trial, force, filtered ? "page, equation (13)" : "page, equation (12)");
-    section.add("|T|", replay.friction.slips ? "> limit: slips" : "<= limit: sticks",
-                fmt::format("limit {}", digits(replay.limit)), replay.friction.trial.norm(), force, "formulation 8");
+    const double increment = replay.filter * replay.input.stiffness * replay.input.step;
+    section.add(filtered ? "alpha k dt" : "k dt", "",
+                fmt::format("{}{} x {}", filtered ? digits(replay.filter) + " x " : "", digits(replay.input.stiffness),
+                            digits(replay.input.step)),
+                increment, input.unit({1, 0, -1, 0}), "formulation 8");
+    section.add(
+        "T", filtered ? "F_t old + alpha k dt v, less its part along nu" : "F_t old + k dt v, less its part along nu",
+        "", replay.friction.trial, force, filtered ? "page, equation (13)" : "page, equation (12)");
+    section.add("|T|",
+                fmt::format("{} limit {}: {}", replay.friction.slips ? ">" : "<=", digits(replay.limit),
+                            replay.friction.slips ? "slips" : "sticks"),
+                "", replay.friction.trial.norm(), force, "formulation 8");
     section.add("F_t", replay.friction.slips ? "T limit/|T|" : "T", "", node.friction, force,
                 std::isfinite(replay.input.cap) ? "page, equation (6)" : "formulation 8");
     section.add("q", "<T - F_t, F_t>/k", "", replay.slip_energy, input.unit(dim::energy),
