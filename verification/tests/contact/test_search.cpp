@@ -16,6 +16,7 @@ namespace {
 
 using test::SmallScene;
 
+// @page field surf_IDm
 TEST(NodalNormals, CountSubTrianglesAndNotAreas) {
     // A quad in z = 0 (two sub-triangles at the shared corners, normal z) and a triangle standing up at its edge (one,
     // normal x).
@@ -57,6 +58,7 @@ SmallScene bumpy(int n) {
     return {nodes, segments, {{0, 0, 1}}};
 }
 
+// @page field Bumult
 TEST(Candidates, RetainTheSameImpactAsAllSegments) {
     SmallScene small = bumpy(12);
     const ToolSurface tool(small.model(), small.card());
@@ -88,6 +90,7 @@ TEST(Candidates, RetainTheSameImpactAsAllSegments) {
     EXPECT_LT(tried, 4000 * all.size() / 4);  // and the tree does skip
 }
 
+// @page departure D34
 TEST(ReachBox, GrowsByOnePercentOfItsSize) {
     SegmentShape<double> square;
     square.node = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};

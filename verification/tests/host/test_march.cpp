@@ -158,6 +158,7 @@ TEST(March, ASpringGivesBackItsEnergy) {
     EXPECT_NEAR(kept.back().totals.normal.z(), -kept.back().velocity[n].z(), 1e-12);
 }
 
+// @page departure D25
 TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
     SmallScene small = over_a_square({{0, 0, 0.4}});
     small.fix(0, all_fixed);
@@ -176,6 +177,7 @@ TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
                 1e-15);  // REAC keeps the current weight
 }
 
+// @page departure D24
 TEST(March, AsBuiltTheOrientationIsOneStepOld) {
     SmallScene small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
@@ -189,6 +191,7 @@ TEST(March, AsBuiltTheOrientationIsOneStepOld) {
     EXPECT_NEAR(angle(kept[2]), 0.01, 1e-15);
 }
 
+// @page field Inacti; comment 8
 TEST(March, InactiThreeMovesTheNodeOut) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
     small.fix(0, all_fixed);
@@ -199,6 +202,7 @@ TEST(March, InactiThreeMovesTheNodeOut) {
         EXPECT_EQ(k.contact.nodes[0].force, Vec3(0, 0, 0));
 }
 
+// @page field IBC; comment 7
 TEST(March, AReleasedNodeMoves) {
     SmallScene small = over_a_square({{0, 0, 0.6}});
     small.fix(0, {true, true, false, true, true, true});
@@ -238,6 +242,7 @@ TEST(March, StopsWhereNothingLimitsTheStep) {
     EXPECT_THROW(run(small), RunStopped);
 }
 
+// @page field Invn; comment 21
 TEST(March, InvnStopsAfterTheCycleIsRecorded) {
     SmallScene small = over_a_square({{0.2, 0.1, -1.995}});
     small.fix(0, all_fixed);
