@@ -109,22 +109,6 @@ TEST(Friction, SticksSlipsAndTurnsWithTheSurface) {
     EXPECT_FALSE(friction_force(Vec3::Zero(), 0, Vec3::Zero(), 0.1, z, 0.0).slips);
 }
 
-TEST(Friction, CoefficientOfAPairOfParts) {
-    Model model;
-    Interface card;
-    card.fric.value = 0.12;
-    EXPECT_EQ(coulomb_coefficient(model, card, 0, 1), 0.12);
-    FrictionModel friction;
-    friction.fallback.fric = 0.2;
-    friction.pairs.push_back({3, 4, {0.35, {}}});
-    model.friction_models.push_back(friction);
-    card.friction_model = 0;
-    EXPECT_EQ(coulomb_coefficient(model, card, 0, 1), 0.2);
-    EXPECT_EQ(coulomb_coefficient(model, card, 3, 4), 0.35);
-    EXPECT_EQ(coulomb_coefficient(model, card, 4, 3), 0.35);
-}
-
-// @page field Damp, Dampr; comment 19
 TEST(ToolDamping, ShareOfTheCritical) {
     EXPECT_DOUBLE_EQ(tool_damping_coefficient(0.1, 0.02, 5e4), 2 * 0.1 * std::sqrt(1000.0));
     EXPECT_EQ(tool_damping(2.0, {1, 0, 3}, {0, 0, 1}), Vec3(-2, 0, -4));

@@ -1,0 +1,146 @@
+// Friction laws and filters against numbers worked out beside them (page comments 12 to 15).
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "reference/contact/friction_filter.h"
+#include "reference/contact/friction_increment.h"
+#include "reference/contact/friction_law.h"
+#include "reference/contact/skid_line.h"
+
+namespace type21::reference {
+namespace {
+
+const AsBuilt page;
+
+AsBuilt with(Departure departure) {
+    AsBuilt set;
+    set.set(departure);
+    return set;
+}
+
+// @page eq 9, 10; field Ifric, Fric, C1, C2, C3, C4, C5; comment 13
+TEST(FrictionLaw, ViscousCountsEachTermOnce) {
+    const FrictionCoefficients f{0.1, {2e-3, 3e-4, 5e-6, 7e-6, 11e-8, 0}};
+    // p = 10, s = 100: 0.1 + 0.02 + 0.03 + 0.005 + 0.0007 + 0.0011
+    EXPECT_NEAR(friction_coefficient(1, f, 10, 100, page), 0.1568, 1e-15);
+    // A pulling damper makes the pressure negative; the law goes on and stops at its floor.
+    EXPECT_NEAR(friction_coefficient(1, f, -1e4, 0, page), 680.1, 1e-12);
+    EXPECT_EQ(friction_coefficient(1, {0.1, {2e-3, 0, 0, 0, 0, 0}}, -1e4, 0, page), 1e-30);
+}
+
+// @page eq 11; field C6; comment 13
+TEST(FrictionLaw, Darmstadt) {
+    const FrictionCoefficients f{0.05, {1e-4, -0.01, 2e-3, -0.02, 0.3, -0.03}};
+    // p = 10, s = 100: e^-1, e^-2, e^-3
+    const double expected = 0.05 + 1e-2 * std::exp(-1.0) + 2e-2 * std::exp(-2.0) + 0.3 * std::exp(-3.0);
+    EXPECT_NEAR(friction_coefficient(2, f, 10, 100, page), expected, 1e-15);
+}
+
+// @page comment 13; field Ifric
+TEST(FrictionLaw, RenardMeetsItsFourCoefficients) {
+    const FrictionCoefficients f{0.9, {0.10, 0.08, 0.15, 0.05, 10, 100}};            // Fric is not in it
+    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 0, page), 0.10);                  // static
+    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 10, page), 0.15);                 // maximum at C5
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 100, page), 0.05, 1e-15);              // minimum at C6
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 1e9, page), 0.08, 1e-12);              // dynamic
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 5, page), 0.10 + 0.05 * 0.75, 1e-15);  // x = 1/2: x (2 - x) = 3/4
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 55, page), 0.10, 1e-15);               // y = 1/2: y^2 (3 - 2 y) = 1/2
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 101, page), 0.08 - 1 / (1 / 0.03 + 1), 1e-15);
+}
+
+// @page departure D10; field Ifric
+TEST(FrictionLaw, ExponentialDecaysFromFricToC1) {
+    const FrictionCoefficients f{0.3, {0.1, 0.01, 0, 0, 0, 0}};
+    EXPECT_DOUBLE_EQ(friction_coefficient(4, f, 0, 0, page), 0.3);
+    EXPECT_NEAR(friction_coefficient(4, f, 0, 100, page), 0.1 + 0.2 * std::exp(-1.0), 1e-15);
+    // D10: 2 C1 - Fric at rest, here below the floor.
+    EXPECT_EQ(friction_coefficient(4, f, 0, 0, with(Departure::D10)), 1e-30);
+    EXPECT_NEAR(friction_coefficient(4, f, 0, 100, with(Departure::D10)), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
+}
+
+// @page comment 12; field Fric, fric_ID
+TEST(FrictionLaw, CoulombIsFricAndAPairOfPartsGoesFirst) {
+    EXPECT_EQ(friction_coefficient(0, {0.12, {1, 1, 1, 1, 1, 1}}, 10, 10, page), 0.12);
+    Model model;
+    Interface card;
+    card.fric.value = 0.12;
+    card.c[2].value = 7;
+    EXPECT_EQ(friction_coefficients(model, card, 0, 1).fric, 0.12);
+    EXPECT_EQ(friction_coefficients(model, card, 0, 1).c[2], 7);
+    FrictionModel friction;
+    friction.fallback.fric = 0.2;
+    friction.pairs.push_back({3, 4, {0.35, {}}});
+    model.friction_models.push_back(friction);
+    card.friction_model = 0;
+    EXPECT_EQ(friction_coefficients(model, card, 0, 1).fric, 0.2);
+    EXPECT_EQ(friction_coefficients(model, card, 3, 4).fric, 0.35);
+    EXPECT_EQ(friction_coefficients(model, card, 4, 3).fric, 0.35);
+}
+
+Interface filtered(int ifiltr, double xfreq) {
+    Interface card;
+    card.ifiltr.value = card.card_ifiltr = ifiltr;
+    card.xfreq.value = card.card_xfreq = xfreq;
+    return card;
+}
+
+// @page eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07
+TEST(FrictionFilter, Constants) {
+    constexpr double turn = 2 * std::numbers::pi;
+    EXPECT_EQ(filter_constant(filtered(0, 0.3), 1e-6, page), 1.0);
+    EXPECT_EQ(filter_constant(filtered(1, 0.3), 1e-6, page), 0.3);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(2, 0.05), 1e-6, page), turn * 0.05);
+    EXPECT_EQ(filter_constant(filtered(2, 0.5), 1e-6, page), 1.0);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(2, 20), 1e-6, with(Departure::D07)), turn / 20);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 5e4), 1e-6, page), turn * 0.05);
+    EXPECT_EQ(filter_constant(filtered(3, 3e5), 1e-6, page), 1.0);
+    EXPECT_EQ(filter_constant(filtered(3, 5e4), 1e-6, with(Departure::D06)), 1.0);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 3e5), 1e-6, with(Departure::D06)), turn * 0.3);
+}
+
+// @page departure D28
+TEST(FrictionFilter, AsBuiltTheCardKeepsItsConstant) {
+    Interface card = filtered(1, 0.3);
+    card.friction_model = 0;
+    card.card_ifiltr = 0;
+    card.card_xfreq = 0;
+    EXPECT_EQ(filter_constant(card, 1e-6, page), 0.3);
+    EXPECT_EQ(filter_constant(card, 1e-6, with(Departure::D28)), 1.0);
+}
+
+// Sticking at constant velocity the force after n cycles is n alpha k v dt: the filter only scales the increment.
+// @page eq 12, 13; comment 14
+TEST(FrictionFilter, StepResponse) {
+    const double alpha = filter_constant(filtered(1, 0.3), 1e-3, page);
+    Vec3 force = Vec3::Zero();
+    for (int n = 1; n <= 10; ++n) {
+        force = friction_force(force, alpha * 500, {2, 0, 0}, 1e-3, {0, 0, 1}, 1e9).force;
+        ASSERT_NEAR(force.x(), n * 0.3 * 500 * 2 * 1e-3, 1e-12);
+    }
+}
+
+// @page eq 19; comment 18; field Fheat
+TEST(FrictionEnergy, SlipDissipatesWhatTheSpringDoesNotKeep) {
+    // T = 100 * 0.3 = 30, limit 12: the spring keeps 12 / 100 of the way 0.3, slip is 0.18 under the force 12.
+    const auto slip = friction_force(Vec3::Zero(), 100, {3, 0, 0}, 0.1, {0, 0, 1}, 12);
+    EXPECT_NEAR(slip_energy(slip, 100), 12 * 0.18, 1e-14);
+    const auto stick = friction_force(Vec3::Zero(), 100, {3, 0, 0}, 0.1, {0, 0, 1}, 40);
+    EXPECT_EQ(slip_energy(stick, 100), 0.0);
+    EXPECT_EQ(slip_energy(slip, 0), 0.0);
+}
+
+// @page field Pskid
+TEST(SkidLine, IsAnEnvelopeOfSlidingOnly) {
+    EXPECT_EQ(skid_ratio(false, 10, 5, 4), 0.0);
+    EXPECT_DOUBLE_EQ(skid_ratio(true, 10, 5, 4), 10 * std::sqrt(3.0) / 20);
+    EXPECT_EQ(skid_ratio(true, 1000, 5, 4), 1.0);
+    SkidLine line(2);
+    line.record(1, 0.4);
+    EXPECT_EQ(line.record(1, 0.2), 0.4);
+    EXPECT_EQ(line.largest(0), 0.0);
+}
+
+}  // namespace
+}  // namespace type21::reference
