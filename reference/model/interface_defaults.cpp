@@ -10,15 +10,15 @@ namespace {
 
 constexpr double no_limit = 1e30;  ///< the page's "1030"
 
-void default_for_zero(Sourced<double>& field, double value, std::string why) {
-    if (field == 0) take_default(field, value, std::move(why));
+void default_for_zero(Sourced<double>& field, double value, const std::string& why) {
+    if (field == 0) take_default(field, value, why);
 }
 
 /// A field that another one makes idle: if the deck gave it, the value that does nothing takes its place, with the
 /// reason.
 template <class T>
-void idle(Sourced<T>& field, T nothing, std::string why) {
-    if (field.value != T{}) take_by_rule(field, nothing, std::move(why));
+void idle(Sourced<T>& field, T nothing, const std::string& why) {
+    if (field.value != T{}) take_by_rule(field, nothing, why);
 }
 
 void apply_gap(Interface& it, const AsBuilt& as_built) {
