@@ -111,15 +111,13 @@ std::string valid_names() {
 }
 
 void complain(Problems& problems, const std::string& word, std::string rule) {
-    problems.add(
-        {Severity::error,
-         {},
-         "--as-built",
-         "",
-         word,
-         std::move(rule),
-         fmt::format("Give none, all, or names separated by commas, '-' takes one away (all,-D04). Available: {}",
-                     valid_names())});
+    Problem problem;
+    problem.card = "--as-built";
+    problem.value = word;
+    problem.rule = std::move(rule);
+    problem.remedy = fmt::format(
+        "Give none, all, or names separated by commas, '-' takes one away (all,-D04). Available: {}", valid_names());
+    problems.add(std::move(problem));
 }
 
 }  // namespace
