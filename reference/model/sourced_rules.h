@@ -19,10 +19,10 @@ void take_default(Sourced<T>& field, T value, const std::string& why) {
 
 /// A rule puts another value in place of what the deck says; the line stays.
 template <class T>
-void take_by_rule(Sourced<T>& field, T value, std::string why) {
+void take_by_rule(Sourced<T>& field, T value, const std::string& why) {
     field.value = std::move(value);
     field.origin.kind = Origin::Kind::rule;
-    field.origin.why = std::move(why);
+    field.origin.why = why;
 }
 
 }  // namespace type21
