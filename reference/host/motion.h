@@ -27,7 +27,7 @@ struct Motion {
     std::span<const double> thickness;
     /// Temperature of each node at the end of the cycle before [temperature]; empty in a scene without heat.
     std::span<const double> temperature;
-    std::vector<ToolMotion> tools;   ///< one for each rigid body of the Model
+    std::vector<ToolMotion> tools;  ///< one for each rigid body of the Model
 };
 
 }  // namespace type21

@@ -12,14 +12,14 @@ namespace type21 {
 
 /// What an interface computes. Each but `elastic` is there only when its card asks for it.
 enum class Effect {
-    elastic,           ///< penalty force (always)
-    damping,           ///< VISs
-    coulomb,           ///< Fric
-    release_bcs,       ///< IBC
-    normals_test,      ///< Invn
-    tool_damping,      ///< Damp, Dampr
-    initial_offset,    ///< Inacti 5, 6
-    activity_window    ///< Tstart, Tstop or a sensor
+    elastic,         ///< penalty force (always)
+    damping,         ///< VISs
+    coulomb,         ///< Fric
+    release_bcs,     ///< IBC
+    normals_test,    ///< Invn
+    tool_damping,    ///< Damp, Dampr
+    initial_offset,  ///< Inacti 5, 6
+    activity_window  ///< Tstart, Tstop or a sensor
 };
 
 std::string_view name(Effect effect);
