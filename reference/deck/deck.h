@@ -37,8 +37,8 @@ struct Deck {
     Place place(const Card& card) const { return place(card.place); }
 };
 
-/// Reads a starter deck and the engine deck beside it. Every problem of the text itself (missing file or include, binary
-/// content, an include that includes itself, text before the first keyword, no /END) goes to problems.
+/// Reads a starter deck and the engine deck beside it. Every problem of the text itself (missing file or include,
+/// binary content, an include that includes itself, text before the first keyword, no /END) goes to problems.
 Deck read_deck(const std::string& starter_path, Problems& problems);
 
 }  // namespace type21

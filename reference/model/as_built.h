@@ -12,10 +12,12 @@
 namespace type21 {
 
 /// The numbers are those of the table of departures; what each means is in departures().
+// clang-format off
 enum class Departure : int {
     D01 = 1, D02, D03, D04, D05, D06, D07, D08, D09, D10, D11, D12, D13, D14, D15, D16, D17, D18, D19, D20,
     D21, D22, D23, D24, D25, D26, D27, D28, D29, D30, D31, D32, D33, D34, D35, D36, D37
 };
+// clang-format on
 
 /// One row of the table: what the page asks for and what is built.
 struct DepartureRow {
@@ -34,7 +36,8 @@ std::string name(Departure departure);
 /// The set of departures that a run switches on.
 class AsBuilt {
   public:
-    /// "", "all", or "D03,D24": a name that is not in the table or not available is an error with the list of those that are.
+    /// "", "all", or "D03,D24": a name that is not in the table or not available is an error with the list of those
+    /// that are.
     static AsBuilt parse(const std::string& text, Problems& problems);
     /// Every available departure.
     static AsBuilt all();

@@ -1,5 +1,6 @@
 #include "reference/model/card_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace {
 std::string_view columns(std::string_view line, int first, int last) {
     const auto begin = static_cast<std::size_t>(first - 1);
     if (begin >= line.size()) return {};
-    return line.substr(begin, static_cast<std::size_t>(last - first + 1));
+    return line.substr(begin, static_cast<std::size_t>(last) - begin);
 }
 
 /// The word that runs across the border behind column `last`; empty when none does. Full fields side by side (two ids

@@ -11,15 +11,15 @@
 
 namespace type21 {
 
-/// The nodes of the secondary surface and what the interface needs to know of each; one entry a node, ascending by node id.
-/// Filled at time 0 (formulation section 2, 7).
+/// The nodes of the secondary surface and what the interface needs to know of each; one entry a node, ascending by node
+/// id. Filled at time 0 (formulation section 2, 7).
 struct SecondarySide {
     std::vector<int> node;                  ///< index into Model::nodes
     std::vector<double> thickness;          ///< t0: largest thickness of the shells at the node [length]
     std::vector<double> contact_thickness;  ///< t_c: contact thickness of the node's part, 0 = none [length]
     std::vector<double> gap;                ///< g0: gap at time 0, between Gapmin and Gapmax [length]
     std::vector<double> search_gap;         ///< gap that decides contact; g0 but for D33 [length]
-    std::vector<double> area;               ///< A: quarter of each quad, third of each triangle of the surface [length^2]
+    std::vector<double> area;  ///< A: quarter of each quad, third of each triangle of the surface [length^2]
     std::vector<double> element_stiffness;  ///< S: mean of E t over the shells at the node [force/length]
     std::vector<double> mass;               ///< m: lumped mass of the node, added masses too [mass]
 
@@ -35,13 +35,13 @@ struct Interface {
 
     int secondary_surface = -1;  ///< index into Model::surfaces
     int main_surface = -1;
-    int tool = -1;            ///< IDrby: index into Model::rigid_bodies
+    int tool = -1;                 ///< IDrby: index into Model::rigid_bodies
     int reference_interface = -1;  ///< IDref: index into Model::interfaces, -1: none
-    int sensor = -1;          ///< sens_ID: index into Model::sensors, -1: none
-    int friction_model = -1;  ///< fric_ID: index into Model::friction_models, -1: none
-    int function_friction = -1;      ///< fct_IDF: index into Model::functions
-    int function_conduction = -1;    ///< fct_IDK
-    int function_distance = -1;      ///< Fcond
+    int sensor = -1;               ///< sens_ID: index into Model::sensors, -1: none
+    int friction_model = -1;       ///< fric_ID: index into Model::friction_models, -1: none
+    int function_friction = -1;    ///< fct_IDF: index into Model::functions
+    int function_conduction = -1;  ///< fct_IDK
+    int function_distance = -1;    ///< Fcond
 
     // line 1
     Sourced<Id> surf_secondary, surf_main;
@@ -60,7 +60,7 @@ struct Interface {
     // line 6
     Sourced<int> ifric, ifiltr;
     Sourced<double> xfreq;
-    int card_ifiltr = 0;    ///< as the card has them, also where /FRICTION replaces them (D28)
+    int card_ifiltr = 0;  ///< as the card has them, also where /FRICTION replaces them (D28)
     double card_xfreq = 0;
     Sourced<Id> sens_id, fct_idf;
     Sourced<double> ascalef;

@@ -5,8 +5,8 @@
 
 namespace type21 {
 
-/// Surfaces, rigid body, sensor, friction model and the functions that are used; an id that does not exist is an error. IDref waits until all are
-/// read.
+/// Surfaces, rigid body, sensor, friction model and the functions that are used; an id that does not exist is an error.
+/// IDref waits until all are read.
 void link_interface(const InterfaceJudge& judge);
 
 /// IDref: another TYPE21 interface.

@@ -38,9 +38,9 @@ struct Material {
     Id id = 0;
     std::string title;
     MaterialLaw law = MaterialLaw::none;
-    double density = 0;        ///< [mass/length^3]
-    double young = 0;          ///< [pressure]
-    double poisson = 0;        ///< [-]
+    double density = 0;               ///< [mass/length^3]
+    double young = 0;                 ///< [pressure]
+    double poisson = 0;               ///< [-]
     std::array<double, 5> plastic{};  ///< Johnson-Cook a, b, n, epsmax, sigmax
     std::optional<HeatMaterial> heat;
 };

@@ -15,7 +15,8 @@
 
 namespace type21 {
 
-/// What /TH asks for: variables by their Radioss names and the objects by id (interfaces, rigid bodies) or index (nodes).
+/// What /TH asks for: variables by their Radioss names and the objects by id (interfaces, rigid bodies) or index
+/// (nodes).
 struct HistoryRequest {
     enum class Kind { interface, node, rigid_body };
     Id id = 0;
@@ -28,20 +29,20 @@ struct HistoryRequest {
 /// The engine deck.
 struct EngineControl {
     std::string run_name;
-    double end_time = 0;              ///< /RUN [time]
-    double history_interval = 0;      ///< /TFILE [time]; 0: every cycle
-    std::optional<double> first_step;  ///< /DTIX, first value [time]
+    double end_time = 0;                 ///< /RUN [time]
+    double history_interval = 0;         ///< /TFILE [time]; 0: every cycle
+    std::optional<double> first_step;    ///< /DTIX, first value [time]
     std::optional<double> largest_step;  ///< /DTIX, second value [time]
-    bool nodal_step = false;          ///< /DT/NODA
-    double step_scale = 0.9;          ///< /DT/NODA scale factor [-]
-    double smallest_step = 0;         ///< /DT/NODA[/STOP]: the run stops below it [time]
+    bool nodal_step = false;             ///< /DT/NODA
+    double step_scale = 0.9;             ///< /DT/NODA scale factor [-]
+    double smallest_step = 0;            ///< /DT/NODA[/STOP]: the run stops below it [time]
 };
 
 struct Model {
     std::string deck_path;
     std::string run_name;
     std::string title;
-    int version = 2025;  ///< of /BEGIN
+    int version = 2025;                 ///< of /BEGIN
     UnitSystem input_units;             ///< of /BEGIN: those in which the deck is written
     UnitSystem units;                   ///< work units of /BEGIN: those of every number in the Model
     std::map<Id, UnitSystem> unit_ids;  ///< /UNIT
@@ -69,8 +70,9 @@ struct Model {
     std::vector<HistoryRequest> histories;
     EngineControl engine;
 
-    std::vector<double> nodal_mass;           ///< lumped shell mass and added masses, per node [mass]
-    std::vector<double> nodal_heat_capacity;  ///< rho Cp with the shares of the mass; empty without /HEAT/MAT [energy/temperature]
+    std::vector<double> nodal_mass;  ///< lumped shell mass and added masses, per node [mass]
+    std::vector<double>
+        nodal_heat_capacity;  ///< rho Cp with the shares of the mass; empty without /HEAT/MAT [energy/temperature]
 };
 
 /// Reads meaning into a deck. All problems are collected; the model is complete only when problems has no error.

@@ -29,8 +29,8 @@ struct ImposedMotion {
     enum class Kind { velocity, displacement };
     Id id = 0;
     Kind kind = Kind::velocity;
-    int function = -1;   ///< index into Model::functions
-    int direction = 0;   ///< 0..5
+    int function = -1;  ///< index into Model::functions
+    int direction = 0;  ///< 0..5
     int group = -1;
     int sensor = -1;     ///< index into Model::sensors, -1: none
     double scale_x = 1;  ///< abscissa scale: f(t / scale_x) [time]
@@ -97,12 +97,12 @@ struct RigidBody {
     Id id = 0;
     std::string title;
     int main_node = -1;
-    std::vector<int> nodes;           ///< secondary nodes of the body, ascending, without the main node
-    double mass = 0;                  ///< of the whole body, by its ICoG rule [mass]
-    Mat3 inertia = Mat3::Zero();      ///< about the centre, global axes at time 0 [mass length^2]
-    Vec3 center = Vec3::Zero();       ///< position of the main node after ICoG has moved it [length]
+    std::vector<int> nodes;       ///< secondary nodes of the body, ascending, without the main node
+    double mass = 0;              ///< of the whole body, by its ICoG rule [mass]
+    Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes at time 0 [mass length^2]
+    Vec3 center = Vec3::Zero();   ///< position of the main node after ICoG has moved it [length]
     int icog = 1;
-    bool spherical = false;           ///< Ispher
+    bool spherical = false;  ///< Ispher
 };
 
 /// One part pair of /FRICTION, or its default.

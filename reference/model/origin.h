@@ -9,8 +9,8 @@ namespace type21 {
 struct Origin {
     enum class Kind { deck, fallback, rule, absent };
     Kind kind = Kind::absent;
-    int line = 0;      ///< line of the deck, 0 if none
-    std::string why;   ///< the default's or rule's own words: "default: 0 means 1", "raised to the largest gap"
+    int line = 0;     ///< line of the deck, 0 if none
+    std::string why;  ///< the default's or rule's own words: "default: 0 means 1", "raised to the largest gap"
 };
 
 /// A resolved value with its origin.

@@ -8,8 +8,9 @@ namespace type21 {
 /// Reads every /INTER/TYPE21 of the deck into model.interfaces. All else of the model is resolved before.
 void resolve_interfaces(const Deck& deck, Model& model, Problems& problems);
 
-/// Unit system of a card that names a unit_ID (word `position` of its keyword), the input units of the deck otherwise; an
-/// unknown unit_ID is an error. Implemented where /UNIT is read.
-const UnitSystem& card_units(const Deck& deck, const Card& card, size_t position, const Model& model, Problems& problems);
+/// Unit system of a card that names a unit_ID (word `position` of its keyword), the input units of the deck otherwise;
+/// an unknown unit_ID is an error. Implemented where /UNIT is read.
+const UnitSystem& card_units(const Deck& deck, const Card& card, size_t position, const Model& model,
+                             Problems& problems);
 
 }  // namespace type21

@@ -12,22 +12,22 @@ namespace type21 {
 
 /// What an interface computes. Each but `elastic` is there only when its card asks for it.
 enum class Effect {
-    elastic,           ///< penalty force (always)
-    damping,           ///< VISs
-    friction,          ///< Fric, Ifric 1 to 4, /FRICTION
-    friction_filter,   ///< Ifiltr
+    elastic,               ///< penalty force (always)
+    damping,               ///< VISs
+    friction,              ///< Fric, Ifric 1 to 4, /FRICTION
+    friction_filter,       ///< Ifiltr
     friction_heat_factor,  ///< fct_IDF
-    gap_growth,        ///< Igap 2
-    pmax_limit,        ///< Pmax, with Igap 2
-    skid_line,         ///< Pskid
-    heat,              ///< Ithe
-    adaptive_data,     ///< Iadm
-    deletion,          ///< Idel
-    release_bcs,       ///< IBC
-    normals_test,      ///< Invn
-    tool_damping,      ///< Damp, Dampr
-    initial_offset,    ///< Inacti 5, 6
-    activity_window    ///< Tstart, Tstop or a sensor
+    gap_growth,            ///< Igap 2
+    pmax_limit,            ///< Pmax, with Igap 2
+    skid_line,             ///< Pskid
+    heat,                  ///< Ithe
+    adaptive_data,         ///< Iadm
+    deletion,              ///< Idel
+    release_bcs,           ///< IBC
+    normals_test,          ///< Invn
+    tool_damping,          ///< Damp, Dampr
+    initial_offset,        ///< Inacti 5, 6
+    activity_window        ///< Tstart, Tstop or a sensor
 };
 
 std::string_view name(Effect effect);

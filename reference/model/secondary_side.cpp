@@ -36,6 +36,7 @@ std::vector<double> element_stiffness(const Model& model, const std::vector<int>
         }
     }
     std::vector<double> mean;
+    mean.reserve(nodes.size());
     for (const int node : nodes)
         mean.push_back(shells[at(node)] == 0 ? 0.0 : sum[at(node)] / shells[at(node)]);
     return mean;
@@ -52,6 +53,7 @@ std::vector<double> nodal_area(const Model& model, const Surface& surface, const
             area[at(n[at(corner)])] += whole / segment.corners();
     }
     std::vector<double> of_nodes;
+    of_nodes.reserve(nodes.size());
     for (const int node : nodes)
         of_nodes.push_back(area[at(node)]);
     return of_nodes;

@@ -41,6 +41,7 @@ bool rotations_fixed(const Model& model, int node) {
 
 std::vector<Id> ids(const Model& model, const std::vector<int>& nodes) {
     std::vector<Id> out;
+    out.reserve(nodes.size());
     for (const int node : nodes)
         out.push_back(model.nodes.id[at(node)]);
     return out;

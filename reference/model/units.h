@@ -30,11 +30,11 @@ inline constexpr Dimension energy{1, 2, -2, 0};
 inline constexpr Dimension pressure{1, -1, -2, 0};
 inline constexpr Dimension stiffness{1, 0, -2, 0};
 inline constexpr Dimension inertia{1, 2, 0, 0};
-inline constexpr Dimension heat_capacity{1, -1, -2, -1};   ///< of a volume, J/(m^3 K)
-inline constexpr Dimension conductivity{1, 1, -3, -1};     ///< W/(m K)
+inline constexpr Dimension heat_capacity{1, -1, -2, -1};      ///< of a volume, J/(m^3 K)
+inline constexpr Dimension conductivity{1, 1, -3, -1};        ///< W/(m K)
 inline constexpr Dimension conductivity_slope{1, 1, -3, -2};  ///< W/(m K^2)
-inline constexpr Dimension conductance{1, 0, -3, -1};      ///< heat exchange coefficient, W/(m^2 K)
-inline constexpr Dimension radiation{1, 0, -3, -4};        ///< Stefan-Boltzmann like, W/(m^2 K^4)
+inline constexpr Dimension conductance{1, 0, -3, -1};         ///< heat exchange coefficient, W/(m^2 K)
+inline constexpr Dimension radiation{1, 0, -3, -4};           ///< Stefan-Boltzmann like, W/(m^2 K^4)
 }  // namespace dim
 
 /// A unit system: how many kg, m and s one unit is, and how the deck writes it.

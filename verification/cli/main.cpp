@@ -11,6 +11,12 @@
 
 namespace {
 
+bool is_verb(CLI::App& app, const std::string& word) {
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+        if (verb->get_name() == word) return true;
+    return false;
+}
+
 int run(int argc, char** argv) {
     using namespace type21;
     CLI::App app{"The TYPE21 stamping contact of Radioss as an executable specification.", "type21"};
@@ -30,6 +36,11 @@ int run(int argc, char** argv) {
     cli::add_explain(app, code);
     if (argc <= 1) {
         fmt::print(stderr, "{}", app.help());
+        return cli::exit_usage;
+    }
+    // The parser would only say that a verb is missing.
+    if (const std::string word = argv[1]; !word.starts_with('-') && !is_verb(app, word)) {
+        fmt::print(stderr, "type21: there is no verb '{}'. Run 'type21 --help' for those there are\n", word);
         return cli::exit_usage;
     }
     try {

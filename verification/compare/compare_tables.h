@@ -15,10 +15,10 @@ inline constexpr double default_tolerance = 1e-9;
 
 struct CompareOptions {
     double tolerance = default_tolerance;
-    std::vector<std::string> columns;  ///< only these; empty: all
-    std::vector<std::string> exclude;  ///< none of these
-    std::vector<Id> objects;           ///< only these nodes; empty: all
-    TimeWindow window;
+    std::vector<std::string> columns{};  ///< only these; empty: all
+    std::vector<std::string> exclude{};  ///< none of these
+    std::vector<Id> objects{};           ///< only these nodes; empty: all
+    TimeWindow window{};
 };
 
 struct ColumnResult {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "reference/contact/contact.h"
 #include "reference/host/conditions.h"
 #include "verification/record/recorder.h"
@@ -27,6 +29,13 @@ std::vector<std::vector<RoomSize>> rooms_of(const Scene& scene) {
     return rooms;
 }
 
+/// NAME_0001.rad of NAME_0000.rad.
+std::string engine_path(const std::string& starter) {
+    const std::string ending = "_0000.rad";
+    if (!starter.ends_with(ending)) return "NAME_0001.rad (the starter deck is NAME_0000.rad)";
+    return starter.substr(0, starter.size() - ending.size()) + "_0001.rad";
+}
+
 }  // namespace
 
 PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,
@@ -40,10 +49,10 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
         problems.add({Severity::error,
                       {path, 0},
                       "",
-                      "engine deck",
+                      "",
                       "",
                       "a run needs the engine deck beside the starter deck",
-                      "Write NAME_0001.rad next to NAME_0000.rad with at least /RUN and the end time"});
+                      fmt::format("Write {} with at least /RUN and the end time", engine_path(path))});
     // Even a faulty deck is resolved, so that its author sees all problems in one go.
     if (!readable) return prepared;
     auto model = std::make_shared<const Model>(resolve(deck, departures, problems));

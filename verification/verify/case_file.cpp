@@ -116,8 +116,9 @@ Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
     a_case.covers = top.texts("covers");
     for (const std::string& cover : a_case.covers)
         if (!is_cover(cover))
-            top.complain(top.line("covers"),
-                         fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D37'", cover));
+            top.complain(
+                top.line("covers"),
+                fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D37'", cover));
     read_runs(top, file, a_case, problems);
     for (const toml::table* check : top.tables("check"))
         read_check(*check, file, a_case, problems);

@@ -74,6 +74,7 @@ class Evaluation {
     void operator()(const ValueCheck& form) {
         const double got = value_at(read_csv(outcome_.folder / form.file), form.column, form.at, form.object);
         judge_value(result_, got, form.expected, form.absolute);
+        result_.detail = fmt::format("{} of {}", form.column, form.file);
     }
 
     void operator()(const DepartureCheck& form) {

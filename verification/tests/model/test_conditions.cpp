@@ -115,6 +115,18 @@ TEST(Friction, TableWithAPair) {
     EXPECT_DOUBLE_EQ(f.pairs[0].coefficients.c[0], 3e6);
 }
 
+TEST(Friction, XfreqIsAFrequencyWithFilterThreeOnly) {
+    const std::string unit = "/UNIT/5\nms\n" + reals({"Mg", "mm", "ms"});
+    const auto xfreq = [&](const char* filter) {
+        return resolved(with_cards(unit + "/FRICTION/9/5\nt\n" + ints({"0", filter, "", "0.5"})))
+            .model.friction_models.at(0)
+            .xfreq;
+    };
+    EXPECT_EQ(xfreq("1"), 0.5);
+    EXPECT_EQ(xfreq("2"), 0.5);
+    EXPECT_DOUBLE_EQ(xfreq("3"), 500);
+}
+
 TEST(Friction, MistakesAreNamed) {
     const auto field = [](const std::string& first, const std::string& pair) {
         return only(resolved(with_cards("/FRICTION/9\nt\n" + first + reals({""}) + reals({"", "0.1"}) + pair)).problems)

@@ -205,7 +205,8 @@ TEST(Defaults, FrictionModelReplacesTheCard) {
 }
 
 TEST(Defaults, FrictionModelBringsItsLawAndItsFilter) {
-    const Interface it = with({{"fric_ID", "9"}, {"Ifric", "1"}, {"Ifiltr", "1"}, {"Xfreq", "0.25"}}, {}, with_friction(2, 3, 10.0));
+    const Interface it =
+        with({{"fric_ID", "9"}, {"Ifric", "1"}, {"Ifiltr", "1"}, {"Xfreq", "0.25"}}, {}, with_friction(2, 3, 10.0));
     EXPECT_EQ(it.ifric, 2);
     EXPECT_EQ(it.ifiltr, 3);
     EXPECT_EQ(it.xfreq, 10.0);

@@ -56,10 +56,9 @@ TEST(Histories, TemperaturesStandBetweenVelocitiesAndReactionsInASceneWithHeat) 
     // The order of a measured OpenRadioss run (commit bd4557b): VRX .., then TEMP, then REACX.
     const std::string card = "/TH/NODE/1\nn\nREACX     TEMP      VRZ       DX\n         1\n";
     const std::string heat = "/HEAT/MAT/1\n" + reals({"300.0", "3.6", "50.0"});
-    const std::string ithe =
-        replaced(with_cards(heat + card), ints({"1", "2"}) + std::string(10, '\n'),
-                 ints({"1", "2", "0", "1"}) + std::string(8, '\n') +
-                     "                20.0                                       900.0\n\n");
+    const std::string ithe = replaced(with_cards(heat + card), ints({"1", "2"}) + std::string(10, '\n'),
+                                      ints({"1", "2", "0", "1"}) + std::string(8, '\n') +
+                                          "                20.0                                       900.0\n\n");
     const Resolved hot = resolved(ithe);
     EXPECT_TRUE(hot.problems.list().empty()) << all_of(hot.problems);
     EXPECT_EQ(hot.model.histories.at(0).variables, (Names{"DX", "VRZ", "TEMP", "REACX"}));

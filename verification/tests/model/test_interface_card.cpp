@@ -231,7 +231,10 @@ struct Since {
 class VersionOfField : public testing::TestWithParam<Since> {};
 
 TEST_P(VersionOfField, IsReadFromItsVersionOn) {
-    const auto [field, text, version, before] = GetParam();
+    const std::string field = GetParam().field;
+    const std::string text = GetParam().text;
+    const int version = GetParam().version;
+    const int before = GetParam().before;
     const auto origin = [&](int of_deck, Problems& problems) {
         Model model = blank_over_tool();
         model.version = of_deck;

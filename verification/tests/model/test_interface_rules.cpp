@@ -147,9 +147,11 @@ TEST(InterfaceRules, ACleanCardHasNoProblem) {
     EXPECT_TRUE(problems_of({}).list().empty());
     EXPECT_TRUE(
         problems_of({{"Igap", "1"}, {"Fric", "0.1"}, {"Istf", "1"}, {"Stfac", "5.0"}, {"Damp", "0.1"}}).list().empty());
-    EXPECT_TRUE(problems_of({{"Igap", "2"}, {"Pmax", "600.0"}, {"ITlim", "1"}, {"Fric", "0.1"}, {"Pskid", "50.0"}, {"Idel", "2"}})
-                    .list()
-                    .empty());
+    EXPECT_TRUE(
+        problems_of(
+            {{"Igap", "2"}, {"Pmax", "600.0"}, {"ITlim", "1"}, {"Fric", "0.1"}, {"Pskid", "50.0"}, {"Idel", "2"}})
+            .list()
+            .empty());
 }
 
 TEST(InterfaceRules, AllMistakesAreReportedAtOnce) {

@@ -65,8 +65,8 @@ TEST(Plan, FilterAndSkidLineNeedFriction) {
     EXPECT_EQ(effects(filter).size(), 2u) << "nothing rubs";
     Fields rubbing = filter;
     rubbing["Fric"] = "0.1";
-    EXPECT_EQ(effects(rubbing), (List{Effect::elastic, Effect::damping, Effect::friction, Effect::friction_filter,
-                                      Effect::skid_line}));
+    EXPECT_EQ(effects(rubbing),
+              (List{Effect::elastic, Effect::damping, Effect::friction, Effect::friction_filter, Effect::skid_line}));
     rubbing["Xfreq"] = "0.0";
     rubbing["Pskid"] = "1e30";
     EXPECT_EQ(effects(rubbing), (List{Effect::elastic, Effect::damping, Effect::friction}));

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "verification/tests/cli/program.h"
+
+namespace type21 {
+namespace {
+
+using test::DeckCopy;
+using test::Outcome;
+using test::TempFolder;
+
+TEST(Check, PrintsFieldsUnitsAndEffects) {
+    TempFolder folder;
+    const auto deck = test::cases() / "cylinder_slide/cylinder_slide_0000.rad";
+    const Outcome outcome =
+        test::type21("check " + test::in_quotes(deck) + " --json " + test::in_quotes(folder / "deep/check.json"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* text :
+         {"Mg mm s", "Gapmin", "0.15", "Coulomb friction", "N/mm", "DEPTH", "rigid tool", "line 489", "45 nodes"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
+
+    const auto json = nlohmann::json::parse(test::read_text(folder / "deep/check.json"));
+    EXPECT_EQ(json["valid"], true);
+    EXPECT_EQ(json["interfaces"][0]["main"]["segments"], 144);
+    EXPECT_EQ(json["interfaces"][0]["time_zero"]["stiffness"]["largest"], 252000.0);
+    const auto& penetrations = json["interfaces"][0]["time_zero"]["initial_penetrations"];
+    ASSERT_EQ(penetrations.size(), 45U);
+    EXPECT_GE(penetrations[0]["penetration"], penetrations[44]["penetration"]);
+    // Twenty on the screen, all in the file.
+    EXPECT_NE(outcome.out.find("and 25 more"), std::string::npos);
+}
+
+TEST(Check, NeedsNoEngineDeck) {
+    const DeckCopy deck("flat_press");
+    std::filesystem::remove(deck.engine);
+    EXPECT_EQ(test::type21("check " + test::in_quotes(deck.starter)).code, 0);
+}
+
+TEST(Check, SaysAllProblemsAndExitsTwo) {
+    const DeckCopy deck("flat_press");
+    deck.replace(deck.starter, "/SURF/PART/1\n", "/SURF/PART/17\n");
+    deck.replace(deck.starter, "/IMPVEL/101", "/NOSUCHCARD/101");
+    TempFolder folder;
+    const Outcome outcome =
+        test::type21("check " + test::in_quotes(deck.starter) + " --json " + test::in_quotes(folder / "c.json"));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("NOSUCHCARD"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("surf_IDs"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("2 errors"), std::string::npos) << outcome.err;
+    const auto json = nlohmann::json::parse(test::read_text(folder / "c.json"));
+    EXPECT_EQ(json["valid"], false);
+    EXPECT_GE(json["problems"].size(), 2U);
+}
+
+TEST(Check, AnUnreadableFileIsADeckError) {
+    TempFolder folder;
+    for (const std::filesystem::path& path : {folder / "nothing_0000.rad", folder.path()}) {
+        const Outcome outcome = test::type21("check " + test::in_quotes(path));
+        EXPECT_EQ(outcome.code, 2) << path;
+        EXPECT_NE(outcome.err.find("error"), std::string::npos);
+    }
+    test::write_text(folder / "noise_0000.rad", std::string("\x7f\x45\x4c\x46\0\1\2\xff", 8));
+    EXPECT_EQ(test::type21("check " + test::in_quotes(folder / "noise_0000.rad")).code, 2);
+}
+
+TEST(Check, AReportThatCannotBeWrittenIsAUsageError) {
+    const auto deck = test::cases() / "flat_press/flat_press_0000.rad";
+    EXPECT_EQ(test::type21("check " + test::in_quotes(deck) + " --json /proc/no/such.json").code, 1);
+}
+
+}  // namespace
+}  // namespace type21
