@@ -1,7 +1,10 @@
 #include "verification/explain/blank_card.h"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "reference/model/interface_fields.h"
 #include "reference/model/resolve_interfaces.h"
@@ -17,7 +20,8 @@ std::string card_text(const CardFields& fields) {
         for (const InterfaceField& field : interface_fields())
             if (field.name == name) {
                 const size_t start = static_cast<size_t>(field.last) - text.size();
-                lines[static_cast<size_t>(field.line) - 1].replace(start, text.size(), text);
+                std::copy(text.begin(), text.end(),
+                          lines[static_cast<size_t>(field.line) - 1].begin() + static_cast<long>(start));
             }
     };
     put("surf_IDs", "1");
@@ -25,10 +29,7 @@ std::string card_text(const CardFields& fields) {
     put("IDrby", "1");
     for (const auto& [name, text] : fields)
         put(name, text);
-    std::string text = "/INTER/TYPE21/1\nblank\n";
-    for (const std::string& line : lines)
-        text += line + "\n";
-    return text;
+    return fmt::format("/INTER/TYPE21/1\nblank\n{}\n", fmt::join(lines, "\n"));
 }
 
 /// The text as a deck of one card.
@@ -112,8 +113,7 @@ Interface blank_card(const CardFields& fields) {
     Problems problems;
     resolve_interfaces(deck, model, problems);
     if (problems.has_errors() || model.interfaces.empty())
-        throw std::logic_error("the blank card is refused: " +
-                               (problems.list().empty() ? std::string() : to_text(problems.list().front())));
+        throw std::logic_error(fmt::format("the blank card is refused, {} problems", problems.list().size()));
     return model.interfaces.front();
 }
 
