@@ -1,4 +1,6 @@
 // Departures that are neither a law nor a card: the first impact and what becomes of Inacti 6.
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "reference/contact/contact.h"
@@ -39,6 +41,45 @@ double offset_of_a_later_impact(bool d26) {
 TEST(Departures, D26ForgetsInacti6WhereNothingPenetratesAtTimeZero) {
     EXPECT_NEAR(offset_of_a_later_impact(false), 0.95 * 0.2 + 0.05 * (0.1 + 0.05 * 0.4), 1e-12);
     EXPECT_NEAR(offset_of_a_later_impact(true), 0.95 * 0.2 + 0.05 * 0.1, 1e-12);
+}
+
+/// Friction of a node that slides under F_n = 200 with Fric 0.1 and f_IDF(x) = x / 1000, AscaleF 2: T_s = 300, tool
+/// 900, Tint 500.
+double friction_of_a_hot_node(bool d08) {
+    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    Interface& card = small.card();
+    card.ithe.value = card.ithe_form.value = 1;
+    card.tint.value = 500;
+    card.fric.value = 0.1;
+    card.ascalef.value = 2;
+    card.fct_idf.value = 1;
+    card.function_friction = 0;
+    small.model().functions.push_back({1, "", {0.0, 1000.0}, {0.0, 1.0}});
+    small.model().as_built.set(Departure::D08, d08);
+    Contact contact(small.scene(), 0);
+    std::vector<Vec3> velocity(small.model().nodes.position.size(), Vec3::Zero());
+    velocity[static_cast<size_t>(small.blank_node(0))] = {1e3, 0, 0};
+    std::vector<double> temperature(velocity.size(), 900.0);
+    temperature[static_cast<size_t>(small.blank_node(0))] = 300;
+    double friction = 0;
+    for (int n = 0; n < 3; ++n) {
+        Motion motion;
+        motion.time = n * 1e-3;
+        motion.step = motion.friction_step = n > 0 ? 1e-3 : 0.0;
+        motion.position = small.model().nodes.position;
+        motion.velocity = velocity;
+        motion.temperature = temperature;
+        motion.tools.resize(1);
+        friction = contact.step(motion).nodes[0].friction.x();
+    }
+    return friction;
+}
+
+// mu = 0.1 f(2 (300 + 900) / 2) = 0.12; as built 0.1 f((300 + 500) / 2) = 0.04.
+// @page eq 7, 8; field fct_IDF, AscaleF; comment 12; departure D08
+TEST(Departures, D08TakesTheFunctionOfTemperatureElsewhere) {
+    EXPECT_NEAR(friction_of_a_hot_node(false), 0.12 * 200, 1e-10);
+    EXPECT_NEAR(friction_of_a_hot_node(true), 0.04 * 200, 1e-10);
 }
 
 // 3 % beyond the border of the square: outside of the margin of 1 %, inside of that of 5 %.

@@ -188,7 +188,8 @@ TEST(Heat, WithoutItheNothingThermalIsThere) {
     EXPECT_TRUE(found);
 }
 
-// @page eq 18; comment 17: proximity exchanges heat only; D11 lets it push where it is nearer than its gap.
+// Proximity exchanges heat only.
+// @page eq 16; comment 17
 TEST(Heat, AProximityNodeHasNoForce) {
     Hot hot(0.9);
     hot.small.card().frad.value = 5.67e-8;

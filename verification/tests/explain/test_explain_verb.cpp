@@ -34,7 +34,7 @@ TEST(ExplainVerb, OfANode) {
 }
 
 TEST(ExplainVerb, OfWhatIsNotThere) {
-    for (const std::string arguments :
+    for (const std::string& arguments :
          {deck + " --node 7777777 --time 0", deck + " --node 1014 --time 1", deck + " --node 90001 --time 0",
           std::string("missing_0000.rad --node 1 --time 0"), std::string("Depht")}) {
         const Outcome bad = type21(arguments);
