@@ -7,6 +7,7 @@ root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 packages_file="$root/scripts/packages.txt"
 jobs=""
 install_packages=yes
+groups=(build)
 step_number=0
 step_count=0
 
@@ -226,15 +227,16 @@ build() {
     step_done "build/$preset"
 }
 
-# set_up_release COUNT [GROUP...]: the first three of COUNT steps: packages, configure and build of the release preset.
+# set_up_release COUNT TARGET...: the first three of COUNT steps: packages, configure and build of the release preset, of all
+# or only of the targets. The packages are those of `groups`.
 set_up_release() {
     step_count="$1"
     shift
     choose_jobs
     step "packages"
-    ensure_packages build "$@"
+    ensure_packages "${groups[@]}"
     step "configure"
     configure release
     step "build, $jobs at a time"
-    build release
+    build release "$@"
 }

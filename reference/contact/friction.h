@@ -31,6 +31,8 @@ class Friction {
     FrictionForce act(int i, const FrictionInput& input);
     /// mu for this input [-].
     double coefficient(int i, const FrictionInput& input) const;
+    /// Index into Model::parts of the node's part, for the pairs of /FRICTION; -1: none.
+    int part(int i) const { return part_[static_cast<size_t>(i)]; }
     /// F_t of the last cycle, as it will enter the next trial [force].
     const Vec3& remembered(int i) const { return force_[static_cast<size_t>(i)]; }
     /// The node has left: its friction force is dropped.

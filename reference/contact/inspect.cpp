@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/contact/contact_state.h"
+#include "reference/contact/friction_law.h"
 #include "reference/contact/reach_box.h"
 
 namespace type21::reference {
@@ -106,6 +107,11 @@ FrictionInput Inspect::friction_input(int i, const Motion& motion, const NodeCon
             state_.model->functions[static_cast<size_t>(card.function_friction)](d08 ? mean : card.ascalef * mean);
     }
     return input;
+}
+
+FrictionCoefficients Inspect::friction_numbers(int i, const FrictionInput& input) const {
+    const int part = state_.friction ? state_.friction->part(i) : -1;
+    return friction_coefficients(*state_.model, state_.card(), part, input.part_main);
 }
 
 double Inspect::friction_coefficient(int i, const FrictionInput& input) const {

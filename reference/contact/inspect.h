@@ -48,6 +48,8 @@ class Inspect {
     PmaxLimit pmax_limit(int i) const;
     /// What the friction law is given for this node in this cycle.
     FrictionInput friction_input(int i, const Motion& motion, const NodeContact& node, bool acts) const;
+    /// Fric and C1..C6 that hold for this pair of parts.
+    FrictionCoefficients friction_numbers(int i, const FrictionInput& input) const;
     double friction_coefficient(int i, const FrictionInput& input) const;
 
     const HeatExchange* heat_exchange() const;

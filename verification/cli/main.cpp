@@ -56,6 +56,14 @@ int run(int argc, char** argv) {
     return code;
 }
 
+/// Never throws, so that nothing escapes from main's handlers.
+int complain(const char* what, const std::exception& error, int code) {
+    std::fputs(what, stderr);
+    std::fputs(error.what(), stderr);
+    std::fputs("\n", stderr);
+    return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,13 +71,10 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const cli::UsageError& error) {
-        fmt::print(stderr, "type21: {}\n", error.what());
-        return cli::exit_usage;
+        return complain("type21: ", error, cli::exit_usage);
     } catch (const FolderError& error) {
-        fmt::print(stderr, "type21: {}\n", error.what());
-        return cli::exit_usage;
+        return complain("type21: ", error, cli::exit_usage);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "type21: internal error: {}\n", error.what());
-        return cli::exit_stopped;
+        return complain("type21: internal error: ", error, cli::exit_stopped);
     }
 }

@@ -89,7 +89,9 @@ AccountSection offset_section(const AccountInput& input, const NodeContact& node
     }
     section.add(
         "P0", six ? "min(P0, 0.95 P0 + 0.05 (p_g + 0.05|g - p_g|))" : "min(P0, 0.95 P0 + 0.05 p_g)",
-        six ? "" : fmt::format("min({0}, 0.95 x {0} + 0.05 x {1})", digits(before), digits(node.geometric_penetration)),
+        six ? fmt::format("min({0}, 0.95 x {0} + 0.05 x ({1} + 0.05 x |{2} - {1}|))", digits(before),
+                          digits(node.geometric_penetration), digits(node.gap))
+            : fmt::format("min({0}, 0.95 x {0} + 0.05 x {1})", digits(before), digits(node.geometric_penetration)),
         node.offset, length, "formulation 6");
     section.add("p", "max(0, p_g - P0)",
                 fmt::format("max(0, {} - {})", digits(node.geometric_penetration), digits(node.offset)),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/contact/friction_law.h"
 #include "verification/explain/node_account.h"
 
 namespace type21 {
@@ -11,19 +12,37 @@ using namespace reference;
 
 namespace {
 
-/// The formula of the friction law.
-std::string law_formula(int ifric) {
+/// The formula of the friction law, and the same with numbers; the pressure p and the speed s are on the lines before.
+struct Law {
+    std::string formula, numbers;
+};
+
+Law law_of(int ifric, const FrictionCoefficients& f, double s) {
+    const auto& c = f.c;
     switch (ifric) {
         case 1:
-            return "Fric + C1 p + C2 s + C3 p s + C4 p^2 + C5 s^2";
+            return {"Fric + C1 p + C2 s + C3 p s + C4 p^2 + C5 s^2",
+                    fmt::format("{:.6g} + {:.6g} p + {:.6g} s + {:.6g} p s + {:.6g} p^2 + {:.6g} s^2", f.fric, c[0],
+                                c[1], c[2], c[3], c[4])};
         case 2:
-            return "Fric + C1 e^(C2 s) p^2 + C3 e^(C4 s) p + C5 e^(C6 s)";
+            return {"Fric + C1 e^(C2 s) p^2 + C3 e^(C4 s) p + C5 e^(C6 s)",
+                    fmt::format("{:.6g} + {:.6g} e^({:.6g} s) p^2 + {:.6g} e^({:.6g} s) p + {:.6g} e^({:.6g} s)",
+                                f.fric, c[0], c[1], c[2], c[3], c[4], c[5])};
         case 3:
-            return "Renard, C1..C6 at s";
+            if (s <= c[4])
+                return {"s <= C5: C1 + (C3 - C1) x (2 - x), x = s/C5",
+                        fmt::format("{:.6g} + {:.6g} x (2 - x), x = {:.6g}", c[0], c[2] - c[0], s / c[4])};
+            if (s < c[5])
+                return {"C5 < s < C6: C3 + (C4 - C3) y^2 (3 - 2 y), y = (s - C5)/(C6 - C5)",
+                        fmt::format("{:.6g} + {:.6g} y^2 (3 - 2 y), y = {:.6g}", c[2], c[3] - c[2],
+                                    (s - c[4]) / (c[5] - c[4]))};
+            return {"s >= C6: C2 - 1/(1/(C2 - C4) + (s - C6)^2)",
+                    fmt::format("{:.6g} - 1/(1/{:.6g} + {:.6g}^2)", c[1], c[1] - c[3], s - c[5])};
         case 4:
-            return "C1 + (Fric - C1) e^(-C2 s)";
+            return {"C1 + (Fric - C1) e^(-C2 s)",
+                    fmt::format("{:.6g} + {:.6g} e^({:.6g} s)", c[0], f.fric - c[0], -c[1])};
         default:
-            return "Fric";
+            return {"Fric", ""};
     }
 }
 
@@ -36,21 +55,26 @@ std::string law_source(int ifric) {
 
 void add_law(const AccountInput& input, const Replay& replay, AccountSection& section) {
     const Interface& card = input.card();
+    const Vec3& v = replay.input.velocity;
+    const double speed = (v - replay.input.normal * v.dot(replay.input.normal)).norm();
     if (card.ifric != 0) {
         const double area = card.secondary.area[static_cast<size_t>(input.node)];
-        const Vec3& v = replay.input.velocity;
-        const double speed = (v - replay.input.normal * v.dot(replay.input.normal)).norm();
-        section.add("p~", "F_n/A", fmt::format("{}/{}", digits(replay.normal_force), digits(area)),
+        section.add("p", "F_n/A, pressure", fmt::format("{}/{}", digits(replay.normal_force), digits(area)),
                     area > 0 ? replay.normal_force / area : 0.0, input.unit(dim::pressure), "page, equation (9)");
-        section.add("s", "|v - v_n nu|", "", speed, input.unit(dim::velocity), "page, equation (9)");
+        section.add("s", "|v - v_n nu|, speed", "", speed, input.unit(dim::velocity), "page, equation (9)");
     }
+    const FrictionCoefficients numbers = input.inspect.friction_numbers(input.node, replay.input);
     if (input.inspect.has(Effect::friction_heat_factor)) {
-        section.add("mu", "Fric f_IDF",
-                    fmt::format("{} x {}", digits(card.fric), digits(replay.input.temperature_factor)),
-                    replay.coefficient, "", "page, equation (7)");
-    } else {
-        section.add("mu", law_formula(card.ifric), "", replay.coefficient, "", law_source(card.ifric));
+        section.add("mu", "Fric f_IDF(AscaleF (T_s + T_m)/2)",
+                    fmt::format("{} x {}", digits(numbers.fric), digits(replay.input.temperature_factor)),
+                    replay.coefficient, "", "page, equations (7), (8)");
+        return;
     }
+    const Law law = law_of(card.ifric, numbers, speed);
+    section.add("mu", law.formula, law.numbers, replay.coefficient, "",
+                card.friction_model >= 0 ? law_source(card.ifric) + ", /FRICTION" : law_source(card.ifric));
+    if (card.ifric == 4 && input.model().as_built.has(Departure::D10))
+        section.say("", "with the sign of its second term reversed", "D10");
 }
 
 }  // namespace
@@ -85,7 +109,10 @@ AccountSection normal_section(const AccountInput& input, const NodeContact& node
                     node.stiffness * replay.pmax.gap_growth, force, "page, equation (5)");
     }
     if (replay.limited) {
-        section.add("F", "k max(p - Delta, 0) + min(P_A, k p)", "", node.elastic_force, force, "page, equation (5)");
+        section.add("F", "k max(p - Delta, 0) + min(P_A, k p)",
+                    fmt::format("{0:.6g} x max({1:.6g} - {2:.6g}, 0) + min({3:.6g}, {0:.6g} x {1:.6g})", node.stiffness,
+                                node.penetration, replay.pmax.gap_growth, replay.pmax.pressure_force),
+                    node.elastic_force, force, "page, equation (5)");
     } else {
         section.add("F", "k p", product, node.elastic_force, force,
                     card.igap == 2 ? "page, equation (5)" : "formulation 7");

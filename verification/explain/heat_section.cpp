@@ -39,23 +39,34 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
         section.add("K", card.function_conduction < 0 ? "Kthe" : "Kthe f_K(AscaleK |F_n|/A)", "",
                     exchange.exchange(pressure), conductance,
                     card.function_conduction < 0 ? "page, equation (14)" : "page, equation (15)");
-        section.add("A/(d/k_s + 1/K)", "", fmt::format("A = {}", digits(area)), node.conductance,
-                    input.unit({1, 2, -3, -1}), "page, equation (14)");
+        section.add("A/(d/k_s + 1/K)", "",
+                    fmt::format("{}/({}/{} + 1/{})", digits(area), digits(d), digits(conductivity),
+                                digits(exchange.exchange(pressure))),
+                    node.conductance, input.unit({1, 2, -3, -1}), "page, equation (14)");
     } else if (zones.distance) {
         const Function& f = input.model().functions[static_cast<size_t>(card.function_distance)];
         const double share = (d - node.gap) / (card.dcond - node.gap);
         section.add("f", "f_cond((d - g)/(Dcond - g))", fmt::format("f_cond({})", digits(share)), f(share), "",
                     "page, equation (20)");
         section.add("A/(g/k_s + 1/(K f))", "",
-                    fmt::format("A = {}, K = {}", digits(area), digits(exchange.exchange(0.0))), node.conductance,
-                    input.unit({1, 2, -3, -1}), "page, equation (20)");
+                    fmt::format("{}/({}/{} + 1/({} x {}))", digits(area), digits(node.gap), digits(conductivity),
+                                digits(exchange.exchange(0.0)), digits(f(share))),
+                    node.conductance, input.unit({1, 2, -3, -1}), "page, equation (20)");
     }
-    const double flow = node.heat - node.friction_heat;
+    const double step = input.motion.step;
+    const HeatFlow flow = exchange.flow(input.node, {node.distance, node.gap, node.normal_force, step, blank, tool});
     if (zones.radiation)
-        section.add("radiated", "Frad A (T_m^4 - T_s^4) dt", "",
-                    area * radiated(card.frad, tool, blank) * input.motion.step, energy, "page, equation (17)");
-    section.add("Phi", "from the tool in this cycle", "", flow, energy,
-                zones.conduction ? "page, equation (14)" : "formulation 9");
+        section.add("radiated", "Frad A (T_m^4 - T_s^4) dt",
+                    fmt::format("{} x {} x ({}^4 - {}^4) x {}", digits(card.frad), digits(area), digits(tool),
+                                digits(blank), digits(step)),
+                    area * radiated(card.frad, tool, blank) * step, energy, "page, equation (17)");
+    if (zones.conduction || zones.distance)
+        section.add(
+            "conducted", "conductance x (T_m - T_s) dt",
+            fmt::format("{} x ({} - {}) x {}", digits(flow.conductance), digits(tool), digits(blank), digits(step)),
+            flow.conductance * (tool - blank) * step, energy,
+            zones.conduction ? "page, equation (14)" : "page, equation (20)");
+    section.add("Phi", "from the tool in this cycle", "", flow.heat, energy, "formulation 9");
     section.add("Fheat q", "friction heat", "", node.friction_heat, energy, "page, equation (19)");
     section.add("to node", "Phi + Fheat q", "", node.heat, energy, "formulation 9");
     return section;

@@ -14,6 +14,12 @@ Json number(double value) {
     return value;
 }
 
+/// The number where there is one, else its text.
+Json number_or_text(const std::optional<double>& value, const std::string& text) {
+    if (value) return *value;
+    return text;
+}
+
 }  // namespace
 
 Json check_json(const std::vector<CheckResult>& results) {
@@ -25,8 +31,8 @@ Json check_json(const std::vector<CheckResult>& results) {
                        {"run", result.run},
                        {"kind", result.kind},
                        {"equation", result.equation},
-                       {"expected", result.expected_value},
-                       {"got", result.got_value},
+                       {"expected", number_or_text(result.expected_number, result.expected)},
+                       {"got", number_or_text(result.got_number, result.got)},
                        {"difference", number(result.difference)},
                        {"tolerance", result.tolerance},
                        {"unit", result.unit},

@@ -1,10 +1,9 @@
 /// @file What came of one check.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "verification/compare/compare_tables.h"
 
@@ -14,7 +13,7 @@ struct CheckResult {
     std::string id, case_name, run, kind, equation;
     std::string expected;  ///< as text: a number, a file, a message
     std::string got;
-    nlohmann::ordered_json expected_value, got_value;  ///< numbers where they are numbers, else the text
+    std::optional<double> expected_number, got_number;  ///< where they are finite numbers
     double difference = 0;  ///< in the measure of the tolerance (relative, scaled or absolute)
     double tolerance = 0;
     std::string unit, reason;

@@ -14,24 +14,17 @@ namespace {
 
 void set_expected(CheckResult& result, double value) {
     result.expected = fmt::format("{:.10g}", value);
-    result.expected_value = value;
+    result.expected_number = value;
 }
 
 void set_got(CheckResult& result, double value) {
     result.got = fmt::format("{:.10g}", value);
-    // JSON has no infinity.
-    if (std::isfinite(value)) {
-        result.got_value = value;
-    } else {
-        result.got_value = result.got;
-    }
+    if (std::isfinite(value)) result.got_number = value;
 }
 
 void set_texts(CheckResult& result, const std::string& expected, const std::string& got) {
     result.expected = expected;
     result.got = got;
-    result.expected_value = expected;
-    result.got_value = got;
 }
 
 /// A NaN fails: every comparison with it is false.
@@ -55,7 +48,6 @@ class Evaluation {
         const TableResult table = compare_tables(read_csv(outcome_.folder / form.rule.ours),
                                                  read_csv(case_.folder / form.rule.reference), form.rule.options);
         result_.expected = form.rule.reference;
-        result_.expected_value = form.rule.reference;
         result_.unit = "of the column's scale";
         result_.columns = table.columns;
         if (const ColumnResult* worst = table.worst()) {
@@ -86,7 +78,7 @@ class Evaluation {
 
     void operator()(const BalanceCheck& form) {
         result_.expected = "0";
-        result_.expected_value = 0;
+        result_.expected_number = 0;
         result_.unit = "of the sum of absolute terms";
         double worst = 0;
         long cycles = 0;

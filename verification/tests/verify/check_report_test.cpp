@@ -15,7 +15,7 @@ std::vector<CheckResult> two_results() {
     good.case_name = "case";
     good.run = "run";
     good.kind = "ANALYTIC";
-    good.got_value = 1.5;
+    good.got_number = 1.5;
     good.tolerance = 1e-9;
     good.unit = "N s";
     good.ok = true;

@@ -21,7 +21,7 @@ struct Scenario {
         write_text(ours / "interface_1.csv", "time,FNX\n0,0\n1,5\n");
         a_case.name = "case";
         a_case.folder = measured.path();
-        a_case.runs.push_back({"run", "", ""});
+        a_case.runs.push_back({"run", "", "", ""});
         outcome.folder = ours.path();
         outcome.summary.state = RunSummary::State::completed;
         outcome.interfaces = {1, 2};
