@@ -94,10 +94,11 @@ ContactStep Contact::step(const Motion& motion) {
     State& state = *state_;
     const Interface& card = state.card();
     ContactStep step;
+    // Inacti looks at time 0, whenever the interface becomes active.
+    if (!state.started) state.start(motion);
     step.active = active(*state.model, card, motion.time);
     if (!step.active) return step;
     state.update_gaps(motion, step);
-    if (!state.started) state.start(motion);
 
     step.nodes.reserve(state.nodes.size());
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i)
@@ -128,6 +129,7 @@ ContactStep Contact::step(const Motion& motion) {
             const double inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
             const double damping =
                 tool_damping_coefficient(card.dampr, inertia, d13 ? resultants.step_rotation : resultants.rotation);
+            step.tool.rotational_damping = damping;
             step.tool.damping_moment = tool_damping(damping, pose.angular_velocity, reference.angular_velocity);
         }
     }

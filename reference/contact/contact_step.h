@@ -76,6 +76,7 @@ struct ToolLoad {
     Vec3 damping_force = Vec3::Zero();   ///< of the tool damping; its opposite acts on the tool of IDref [force]
     Vec3 damping_moment = Vec3::Zero();  ///< likewise [moment]
     double damping = 0;                  ///< C of the tool damping [force time/length]
+    double rotational_damping = 0;       ///< likewise of the rotation [moment time]
     double step_stiffness = 0;           ///< sum of k + C/dt1, for the time step [force/length]
     double step_rotation = 0;            ///< sum of (k + C/dt1) |X - x_G|^2 [moment]
 };

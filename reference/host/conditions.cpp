@@ -113,6 +113,21 @@ void check_runnable(const Scene& scene, Problems& problems) {
         problem.remedy = "give its material a density or add /ADMAS";
         problems.add(problem);
     }
+    for (const ConcentratedLoad& load : model.loads) {
+        if (load.direction < 3) continue;
+        NodeList loose;
+        for (const int node : model.groups[static_cast<size_t>(load.group)].nodes) {
+            if (body[static_cast<size_t>(node)] < 0) loose.add(model.nodes.id[static_cast<size_t>(node)]);
+        }
+        if (loose.count() == 0) continue;
+        problem.card = fmt::format("/CLOAD/{}", load.id);
+        problem.field = "Dir";
+        problem.value = loose.text();
+        problem.rule = "a moment acts on the nodes of a rigid body only: this version does not turn single nodes";
+        problem.remedy = "load the main node of a /RBODY, or give a force (X, Y, Z)";
+        problems.add(problem);
+        problem.field.clear();
+    }
     for (const RigidBody& tool : model.rigid_bodies) {
         const NodeConditions& main = conditions[static_cast<size_t>(tool.main_node)];
         const bool moves = !(main.driven(0) && main.driven(1) && main.driven(2));

@@ -77,8 +77,8 @@ void advance_body(const Model& model, const CycleForces& forces, size_t b, const
         tool.mass * gained - held_against(forces.tool_force[b], forces.load_force[b], state) * drive.weight;
     const Mat3 rotation = body.rotation.toRotationMatrix();
     const Mat3 inertia = rotation * tool.inertia * rotation.transpose();
-    state.reaction_moment[main] +=
-        inertia * (angular_velocity - body.angular_velocity) - forces.tool_moment[b] * drive.weight;
+    state.reaction_moment[main] += inertia * (angular_velocity - body.angular_velocity) -
+                                   held_against(forces.tool_moment[b], forces.load_moment[b], state) * drive.weight;
     body.velocity = velocity;
     body.angular_velocity = angular_velocity;
     body.position += velocity * drive.step;

@@ -24,6 +24,14 @@ double stable_step(double mass, double stiffness) {
     return mass > 0 && stiffness > 0 ? std::sqrt(2.0 * mass / stiffness) : infinite;
 }
 
+/// Of a tool with its damping: K (sqrt(1 + a^2) + a)^2 in place of K, a = C / sqrt(4 M K).
+double damped_step(double inertia, double stiffness, double damping) {
+    if (!(inertia > 0) || !(stiffness > 0)) return infinite;
+    const double ratio = damping / std::sqrt(4.0 * inertia * stiffness);
+    const double factor = std::sqrt(1.0 + ratio * ratio) + ratio;
+    return stable_step(inertia, stiffness * factor * factor);
+}
+
 }  // namespace
 
 TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
@@ -65,17 +73,12 @@ double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactSt
         for (size_t n = 0; n < contacts[i].nodes.size(); ++n) {
             stiffness[static_cast<size_t>(interface.secondary.node[n])] += contacts[i].nodes[n].step_stiffness;
         }
-        // The tool with its damping: K (sqrt(1 + a^2) + a)^2, a = C / sqrt(4 M K).
         const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(interface.tool)];
         const ToolLoad& load = contacts[i].tool;
-        if (load.step_stiffness > 0 && tool.mass > 0) {
-            const double ratio = load.damping / std::sqrt(4.0 * tool.mass * load.step_stiffness);
-            const double factor = std::sqrt(1.0 + ratio * ratio) + ratio;
-            limit = std::min(limit, stable_step(tool.mass, load.step_stiffness * factor * factor));
-        }
+        limit = std::min(limit, damped_step(tool.mass, load.step_stiffness, load.damping));
         if (interface.tool_rotates && load.step_rotation > 0) {
             const double inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
-            limit = std::min(limit, stable_step(inertia, load.step_rotation));
+            limit = std::min(limit, damped_step(inertia, load.step_rotation, load.rotational_damping));
         }
     }
     for (size_t n = 0; n < stiffness.size(); ++n)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../contact/small_scene.h"
+#include "reference/host/conditions.h"
 #include "reference/host/march.h"
 #include "reference/host/rotation.h"
 #include "reference/host/time_step.h"
@@ -203,6 +204,41 @@ TEST(March, InactiThreeMovesTheNodeOut) {
 }
 
 // @page field IBC; comment 7
+// Inacti 1 looks at time 0 also when the interface starts later: the node that penetrated then stays off.
+TEST(March, InactiOneHoldsWhenTheInterfaceStartsLater) {
+    for (const int inacti : {0, 1}) {
+        SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+        small.fix(0, all_fixed);
+        small.fix(small.blank_node(0), all_fixed);
+        small.card().inacti.value = inacti;
+        small.card().tstart.value = 0.0015;
+        small.card().viss.value = 1.0;
+        small.model().engine.end_time = 0.0045;
+        EXPECT_EQ(run(small).back().contact.nodes[0].stiffness > 0 || run(small)[2].contact.nodes[0].stiffness > 0,
+                  inacti == 0);
+    }
+}
+
+TEST(Runnable, EveryReasonIsNamedAtOnce) {
+    SmallScene small = over_a_square({{0, 0, 0.6}});
+    Model& model = small.model();
+    model.engine.end_time = 0;
+    model.rigid_bodies[0].mass = 0;
+    model.rigid_bodies[0].inertia.setZero();
+    model.functions.push_back({1, "", {0.0}, {1.0}});
+    NodeGroup group;
+    group.nodes = {small.blank_node(0)};
+    model.groups.push_back(group);
+    ConcentratedLoad torque;
+    torque.function = 0;
+    torque.direction = 3;
+    torque.group = static_cast<int>(model.groups.size()) - 1;
+    model.loads.push_back(torque);
+    Problems problems;
+    check_runnable(small.scene(), problems);
+    EXPECT_EQ(problems.error_count(), 4);  // moment on a node, mass, inertia, end time
+}
+
 TEST(March, AReleasedNodeMoves) {
     SmallScene small = over_a_square({{0, 0, 0.6}});
     small.fix(0, {true, true, false, true, true, true});
