@@ -70,7 +70,7 @@ std::vector<int> Candidates::at(const Vec3& y) const {
             continue;
         }
         for (int i = 0; i < branch.count; ++i) {
-            const int segment = order_[static_cast<size_t>(branch.first + i)];
+            const int segment = order_[static_cast<size_t>(branch.first) + static_cast<size_t>(i)];
             if (boxes_[static_cast<size_t>(segment)].contains(y)) found.push_back(segment);
         }
     }

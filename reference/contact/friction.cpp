@@ -39,7 +39,7 @@ FrictionForce Friction::act(int i, const FrictionInput& input) {
     const double limit = std::min(coefficient(i, input) * std::abs(input.normal_force), input.cap);
     const double alpha = filter_constant(interface_, input.step, model_.as_built);
     Vec3& remembered = force_[static_cast<size_t>(i)];
-    const FrictionForce result =
+    FrictionForce result =
         friction_force(remembered, alpha * input.stiffness, input.velocity, input.step, input.normal, limit);
     remembered = result.force;
     return result;

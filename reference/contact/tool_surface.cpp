@@ -43,7 +43,7 @@ ToolSurface::ToolSurface(const Model& model, const Interface& interface)
     const auto& main = interface.main_nodes;
     position_.reserve(main.size());
     for (const int node : main)
-        position_.push_back(model.nodes.position[static_cast<size_t>(node)] - center);
+        position_.emplace_back(model.nodes.position[static_cast<size_t>(node)] - center);
     local_.reserve(segments_.size());
     for (const Segment& segment : segments_) {
         std::array<int, 4> local{};

@@ -169,6 +169,7 @@ void check_normals(const Model& model, const HostState& state, const std::vector
 void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe, const MarchOptions& options) {
     const Model& model = *scene.model;
     std::vector<std::unique_ptr<ContactMethod>> contacts;
+    contacts.reserve(model.interfaces.size());
     for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)
         contacts.push_back(make_contact(scene, i));
     HostState state(model);
