@@ -23,15 +23,15 @@ void not_negative(const InterfaceJudge& judge, std::string_view field, double va
 /// A warning for a field that was given and has no effect.
 void unused(const InterfaceJudge& judge, std::string_view field, bool given, std::string_view reason);
 
-inline void default_for_zero(Sourced<double>& field, double value, std::string why) {
-    if (field == 0) take_default(field, value, std::move(why));
+inline void default_for_zero(Sourced<double>& field, double value, const std::string& why) {
+    if (field == 0) take_default(field, value, why);
 }
 
 /// A field that another one makes idle: if the deck gave it, the value that does nothing takes its place, with the
 /// reason.
 template <class T>
-void idle(Sourced<T>& field, T nothing, std::string why) {
-    if (field.value != T{}) take_by_rule(field, nothing, std::move(why));
+void idle(Sourced<T>& field, T nothing, const std::string& why) {
+    if (field.value != T{}) take_by_rule(field, nothing, why);
 }
 
 }  // namespace type21
