@@ -98,6 +98,20 @@ class SmallScene {
         model_.imposed_motions.push_back(motion);
     }
 
+    /// A constant load on a node: a force (directions 0 to 2) or a moment (3 to 5).
+    void load(int node, int direction, double value) {
+        model_.functions.push_back({static_cast<Id>(model_.functions.size()) + 1, "", {0.0}, {1.0}});
+        NodeGroup group;
+        group.nodes = {node};
+        model_.groups.push_back(group);
+        ConcentratedLoad load;
+        load.function = static_cast<int>(model_.functions.size()) - 1;
+        load.direction = direction;
+        load.group = static_cast<int>(model_.groups.size()) - 1;
+        load.scale_y = value;
+        model_.loads.push_back(load);
+    }
+
     Scene scene() const { return plan(std::make_shared<const Model>(model_)); }
 
   private:

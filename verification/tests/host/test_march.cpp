@@ -107,16 +107,7 @@ TEST(March, AFreeNodeUnderALoad) {
     SmallScene small = over_a_square({{5, 5, 5}});
     small.fix(0, all_fixed);
     Model& model = small.model();
-    model.functions.push_back({1, "", {0.0}, {1.0}});
-    NodeGroup group;
-    group.nodes = {small.blank_node(0)};
-    model.groups.push_back(group);
-    ConcentratedLoad load;
-    load.function = 0;
-    load.direction = 0;
-    load.group = static_cast<int>(model.groups.size()) - 1;
-    load.scale_y = 4.0;
-    model.loads.push_back(load);
+    small.load(small.blank_node(0), 0, 4.0);
     model.engine.end_time = 0.1;
     const auto n = static_cast<size_t>(small.blank_node(0));
     for (const Kept& k : run(small))
@@ -129,16 +120,7 @@ TEST(March, AFreeToolTurnsWithItsInertia) {
     small.fix(small.blank_node(0), all_fixed);
     Model& model = small.model();
     model.rigid_bodies[0].inertia = Vec3(2, 3, 4).asDiagonal();
-    model.functions.push_back({1, "", {0.0}, {1.0}});
-    NodeGroup group;
-    group.nodes = {0};
-    model.groups.push_back(group);
-    ConcentratedLoad torque;
-    torque.function = 0;
-    torque.direction = 5;
-    torque.group = static_cast<int>(model.groups.size()) - 1;
-    torque.scale_y = 8.0;
-    model.loads.push_back(torque);
+    small.load(0, 5, 8.0);
     model.engine.end_time = 0.1;
     const auto kept = run(small);
     EXPECT_NEAR(kept.back().tool.angular_velocity.z(), 2.0 * (kept.back().time - 0.5e-3), 1e-12);  // at n - 1/2
@@ -225,15 +207,7 @@ TEST(Runnable, EveryReasonIsNamedAtOnce) {
     model.engine.end_time = 0;
     model.rigid_bodies[0].mass = 0;
     model.rigid_bodies[0].inertia.setZero();
-    model.functions.push_back({1, "", {0.0}, {1.0}});
-    NodeGroup group;
-    group.nodes = {small.blank_node(0)};
-    model.groups.push_back(group);
-    ConcentratedLoad torque;
-    torque.function = 0;
-    torque.direction = 3;
-    torque.group = static_cast<int>(model.groups.size()) - 1;
-    model.loads.push_back(torque);
+    small.load(small.blank_node(0), 3, 1.0);
     Problems problems;
     check_runnable(small.scene(), problems);
     EXPECT_EQ(problems.error_count(), 4);  // moment on a node, mass, inertia, end time
