@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "reference/contact/contact.h"
 #include "reference/host/conditions.h"
+#include "verification/record/contact_choice.h"
 #include "verification/record/recorder.h"
 #include "verification/record/result_folder.h"
 
@@ -22,10 +22,10 @@ std::vector<std::string> warnings_of(const Problems& problems) {
 }
 
 /// What each interface holds per node. A contact is made for it alone: the march makes its own.
-std::vector<std::vector<RoomSize>> rooms_of(const Scene& scene) {
+std::vector<std::vector<RoomSize>> rooms_of(const Scene& scene, const MakeContact& make) {
     std::vector<std::vector<RoomSize>> rooms;
     for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
-        rooms.push_back(reference::Contact(scene, static_cast<int>(i)).rooms());
+        rooms.push_back(make(scene, static_cast<int>(i))->rooms());
     return rooms;
 }
 
@@ -65,7 +65,9 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
 }
 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
-                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options) {
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
+                     const std::string& with) {
+    const MakeContact make = contact_maker(with);
     prepare_folder(folder);
     const std::vector<std::string> warnings = warnings_of(problems);
     const std::filesystem::path json = folder / "run.json";
@@ -73,7 +75,7 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
     // Written first, so that the folder of a run that was killed says whose it is.
     write_json(json, to_json(summary, scene, warnings));
 
-    summary.rooms = rooms_of(scene);
+    summary.rooms = rooms_of(scene, make);
     Recorder recorder(scene, folder);
     BalanceObserver balance(scene);
     ContactCounter counter(scene);
@@ -101,7 +103,6 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
         summary.contact = counter.result();
         write_json(json, to_json(summary, scene, warnings));
     };
-    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
     try {
         march(scene, make, observe, options);
     } catch (const RunStopped& stop) {
