@@ -37,13 +37,15 @@ Retained Decider::settle(const std::vector<SegmentData>& segments) const {
     // Exact numbers for each contender, then the order of section 4.
     struct Known {
         ExactLanding landing;
+        size_t at;  ///< of segments
         int segment, piece;
     };
     std::vector<Known> known;
     size_t at = 0;
     each([&](const Contender& one) {
-        Known k{exact_landing(p_, segments[at++], one.piece, window_, rules_), one.segment, one.piece};
+        Known k{exact_landing(p_, segments[at], one.piece, window_, rules_), at, one.segment, one.piece};
         if (k.landing.taken) known.push_back(std::move(k));
+        ++at;
     });
     const auto precedes = [&](const Known& one, const Known& other) {
         if (one.landing.landing.kind != other.landing.landing.kind && !rules_.one_race)
@@ -55,6 +57,12 @@ Retained Decider::settle(const std::vector<SegmentData>& segments) const {
     };
     const auto first = std::min_element(known.begin(), known.end(), precedes);
     if (first == known.end()) return {};
+    // Magnitudes are a function of node and sub-triangle alone, whatever the other contenders were: those of the filter
+    // where it can tell.
+    const SegmentData& winner = segments[first->at];
+    const FilterResult fast = filter(p_, winner, local_segment(winner), first->piece, window_, rules_);
+    if (fast.verdict == Verdict::taken && fast.landing.side != 0)
+        return {first->segment, first->piece, fast.landing, Settled::whole};
     return {first->segment, first->piece, first->landing.landing, Settled::whole};
 }
 
