@@ -104,9 +104,7 @@ bool Search::certified(const V3& y, const Window& window, const Rules& rules, Me
     const FilterResult result = filter(y, segment, local_segment(segment), memory.piece, window, rules);
     if (result.verdict != Verdict::taken && result.verdict != Verdict::beyond) return false;
     const Landing& landing = result.landing;
-    const double a = 1 - landing.b - landing.c;
-    const double least = std::min(a, std::min(landing.b, landing.c)) - 3 * landing.weight_bound;
-    if (!(least >= double(core(memory.segment, memory.piece)))) return false;
+    if (!(landing.innermost >= double(core(memory.segment, memory.piece)))) return false;
     found.path = Path::certified;
     if (result.verdict == Verdict::beyond) {
         // Proven to lie outside its own reaches; the core holds between the largest ones.
@@ -132,12 +130,14 @@ float Search::core(int segment, int piece) const {
 void Search::find_cores(int rank) const {
     const SegmentData segment = tool_.segment(rank);
     std::array<Prism, 4> own;
+    std::array<Box, 4> own_box;
     std::array<double, 4> margin{};
     Box box;
     const auto pieces = static_cast<size_t>(segment.pieces());
     for (size_t k = 0; k < pieces; ++k) {
         own[k] = prism(segment, static_cast<int>(k) + 1, limits_);
-        box.extend(own[k].box());
+        own_box[k] = own[k].box();
+        box.extend(own_box[k]);
     }
     size_t neighbours = 0;
     tree_.meeting(box, [&](int other) {
@@ -145,8 +145,9 @@ void Search::find_cores(int rank) const {
         const SegmentData facing = tool_.segment(other);
         for (size_t j = 0; j < static_cast<size_t>(facing.pieces()); ++j) {
             const Prism apart = other == rank ? own[j] : prism(facing, static_cast<int>(j) + 1, limits_);
+            const Box apart_box = other == rank ? own_box[j] : apart.box();
             for (size_t k = 0; k < pieces; ++k) {
-                if ((other == rank && j == k) || margin[k] >= 1) continue;
+                if ((other == rank && j == k) || margin[k] >= 1 || !apart_box.meets(own_box[k])) continue;
                 margin[k] = std::max(margin[k], margin_apart(own[k], apart));
             }
         }

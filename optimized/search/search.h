@@ -38,8 +38,8 @@ struct ReachBoxRule {
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
-/// Cores. Let m(T) be the smallest weight such that no point that T takes with all its weights >= m(T) is taken by any
-/// other sub-triangle (margin_apart over all T' whose boxes meet that of T's segment; boxes that do not meet are
+/// Cores. Let m(T) be the smallest weight such that no point that T takes with all weights of step 2 >= m(T) is taken
+/// by any other sub-triangle (margin_apart over all T' whose boxes meet that of T's segment; boxes that do not meet are
 /// apart). A node that projects on T with weights >= m(T), at a height between -DEPTH and the largest reach, is taken
 /// by T or by nothing: its projection on T alone decides. m depends on the tool and its limits only; it is found when
 /// first needed, and is the same number whoever finds it.
