@@ -1,20 +1,12 @@
 #include "optimized/decide/plain_landing.h"
 
+#include "optimized/machine.h"
+
 namespace type21::optimized {
 
 namespace {
 
-// Wider registers where the machine has them, chosen once at run time. No contraction anywhere: the same bits from
-// each.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define TYPE21_FOR_EACH_MACHINE __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define TYPE21_FOR_EACH_MACHINE
-#endif
-
 using Vector = Triple<Lanes>;
-
-#define TYPE21_INLINE inline __attribute__((always_inline))
 
 TYPE21_INLINE void load(const double* from, Lanes& to) {
     __builtin_memcpy(&to, from, sizeof(to));

@@ -140,7 +140,6 @@ void Search::find(const Asked* asked, int count, const Rules& rules, Found* foun
     }
     for (int lane = 0; lane < count; ++lane) {
         const Asked& one = asked[lane];
-        found[lane] = {};
         if (plain[lane] && certified_plainly(one, rows, lane, margin[lane], found[lane])) continue;
         found[lane] = find(one.y, one.window, rules, *one.memory);
     }
@@ -211,6 +210,8 @@ bool Search::certified_plainly(const Asked& asked, const PlainRows& rows, int la
         if (near > 0) kind = Kind::proximity;
     }
     found.path = Path::certified;
+    found.retained.segment = -1;
+    found.retained.settled = Settled::filter;
     if (kind == Kind::none) return true;
     if (reach_box_.on && !reach_box_.holds(asked.y, tool_.segment(segment), asked.window)) return true;
     Landing& landing = found.retained.landing;
