@@ -148,6 +148,10 @@ std::vector<RoomSize> Contact::rooms() const {
     return rooms;
 }
 
+Funnel Contact::funnel() const {
+    return state_->funnel;
+}
+
 std::vector<InitialPenetration> Contact::initial_penetrations() const {
     return initial_penetrations(state_->model->nodes.position);
 }
