@@ -1,0 +1,32 @@
+/// @file Answers to questions, by any of the implementations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/contact/exact/funnel.h"
+#include "verification/decide/query.h"
+
+namespace type21 {
+
+enum class DecideWith {
+    reference,  ///< stages, exact
+    exact,      ///< rational numbers alone: slow, to check the others
+    plain       ///< double alone: may be wrong
+};
+
+/// The answer without its margin.
+/// @param funnel  counts, where the method has stages
+DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method,
+                      Funnel* funnel = nullptr);
+
+/// How far the node may move before another answer, to first order [length]; infinite where nothing is in reach.
+double margin(const DecisionTool& tool, const DecisionQuery& query);
+
+/// A length in units of the last place of the point's largest coordinate.
+double in_ulps(double length, const Vec3& point);
+
+/// Named warnings on a tool: segments without area, normals that are not of unit length; each once with a count.
+std::vector<std::string> warnings(const DecisionTool& tool);
+
+}  // namespace type21
