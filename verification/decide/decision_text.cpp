@@ -58,9 +58,8 @@ std::string to_text(const Funnel& funnel) {
     const long exact = funnel.settled[2];
     const long interval = exact + funnel.settled[1];
     return fmt::format(
-        "decisions: {} with something near; settled by double {:.4g} %, interval {:.4g} %, exact {:.4g} %; plain "
-        "double "
-        "would have got {} wrong; ns per decision that entered: double {:.0f}, interval {:.0f}, exact {:.0f}\n",
+        "decisions {}: {:.4g} % settled by double, {:.4g} % by interval, {:.4g} % exactly; plain double errs in {}; "
+        "{:.0f}, {:.0f}, {:.0f} ns for each that entered a stage\n",
         asked, share(0), share(1), share(2), funnel.double_wrong, per_decision(funnel.seconds[0], asked),
         per_decision(funnel.seconds[1], interval), per_decision(funnel.seconds[2], exact));
 }
