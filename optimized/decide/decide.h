@@ -1,0 +1,86 @@
+/// @file The single retained impact of a node among segments (formulation section 4), exact always.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "optimized/decide/exact.h"
+#include "optimized/decide/filter.h"
+
+namespace type21::optimized {
+
+/// What settled a decision.
+enum class Settled {
+    filter,  ///< double with error bounds
+    tie,     ///< an identity of shared corners
+    whole    ///< whole numbers
+};
+
+/// The retained impact with its magnitudes.
+struct Retained {
+    int segment = -1;  ///< -1: nothing takes the node
+    int piece = 0;     ///< sub-triangle k
+    Landing landing;
+    Settled settled = Settled::filter;
+};
+
+/// A sub-triangle that may be retained.
+struct Contender {
+    int segment, piece;
+    Kind kind;         ///< not proven when unsure
+    bool unsure;       ///< the filter could not tell
+    double low, high;  ///< kappa lies between them; not when unsure
+};
+
+/// Collects what may take one node, in any order, and names the one retained. Contenders that are proven to lose are
+/// dropped on the way, so that what is left at the end are the retained one and those that only whole numbers can tell
+/// from it.
+class Decider {
+  public:
+    Decider(const V3& p, const Window& window, const Rules& rules) : p_(p), window_(window), rules_(rules) {}
+
+    /// Lets every sub-triangle of a segment compete.
+    void add(int rank, const SegmentData& segment) {
+        const LocalSegment local = local_segment(segment);
+        for (int k = 1; k <= segment.pieces(); ++k)
+            add(rank, k, filter(p_, segment, local, k, window_, rules_));
+    }
+    void add(int rank, int piece, const FilterResult& result);
+
+    /// @param segment_of  rank -> SegmentData
+    template <class SegmentOf>
+    Retained retained(const SegmentOf& segment_of) const {
+        if (count_ == 0 && more_.empty()) return {};
+        if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0) {
+            return {list_[0].segment, list_[0].piece, best_, Settled::filter};
+        }
+        std::vector<SegmentData> segments;
+        segments.reserve(count_ + more_.size());
+        each([&](const Contender& one) { segments.push_back(segment_of(one.segment)); });
+        return settle(segments);
+    }
+
+  private:
+    static constexpr size_t room = 16;
+
+    template <class F>
+    void each(const F& f) const {
+        for (size_t i = 0; i < count_; ++i)
+            f(list_[i]);
+        for (const Contender& one : more_)
+            f(one);
+    }
+    /// Proven: one is retained rather than other.
+    bool beats(const Contender& one, const Contender& other) const;
+    Retained settle(const std::vector<SegmentData>& segments) const;
+
+    V3 p_;
+    Window window_;
+    Rules rules_;
+    size_t count_ = 0;
+    std::array<Contender, room> list_;
+    std::vector<Contender> more_;  ///< beyond the room: so many are rare
+    Landing best_;                 ///< of list_[0] while it is alone
+};
+
+}  // namespace type21::optimized

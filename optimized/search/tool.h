@@ -1,0 +1,56 @@
+/// @file The tool in its own frame, built once.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "optimized/decide/segment.h"
+#include "reference/model/model.h"
+
+namespace type21::optimized {
+
+/// The main surface with y = x - x_G at time 0 (formulation section 1). It never deforms.
+/// @page field surf_IDm, IDrby
+class Tool {
+  public:
+    Tool(const Model& model, const Interface& interface);
+    /// As given: positions, normals taken as they are, segments into them.
+    Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::array<int, 4>> corner);
+
+    int size() const { return static_cast<int>(corner_.size()); }
+    SegmentData segment(int rank) const {
+        const auto& corner = corner_[static_cast<size_t>(rank)];
+        SegmentData s;
+        for (size_t j = 0; j < 4; ++j) {
+            const Vertex& vertex = vertex_[static_cast<size_t>(corner[j])];
+            s.node[j] = vertex.position;
+            s.normal[j] = vertex.normal;
+        }
+        s.triangle = corner[2] == corner[3];
+        return s;
+    }
+    bool is_triangle(int rank) const {
+        return corner_[static_cast<size_t>(rank)][2] == corner_[static_cast<size_t>(rank)][3];
+    }
+    /// Corners as ranks of vertices.
+    const std::array<int, 4>& corner(int rank) const { return corner_[static_cast<size_t>(rank)]; }
+    size_t vertices() const { return vertex_.size(); }
+    const V3& normal(int vertex) const { return vertex_[static_cast<size_t>(vertex)].normal; }
+
+    size_t bytes() const { return vertex_.capacity() * sizeof(Vertex) + corner_.capacity() * sizeof(corner_[0]); }
+
+  private:
+    struct Vertex {
+        V3 position;  ///< [length]
+        V3 normal;    ///< [-]
+    };
+    std::vector<Vertex> vertex_;
+    std::vector<std::array<int, 4>> corner_;
+};
+
+/// Nodal normals: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where the sum is zero.
+/// The sums run in the order of the segments and of the sub-triangles: that order is part of what a decision is exact
+/// for. Source: formulation section 1.
+std::vector<V3> nodal_normals(const std::vector<V3>& position, const std::vector<std::array<int, 4>>& corner);
+
+}  // namespace type21::optimized
