@@ -20,6 +20,7 @@ struct Options {
 };
 
 DecideWith method_of(const std::string& word) {
+    if (word == "optimized") return DecideWith::optimized;
     if (word == "exact") return DecideWith::exact;
     if (word == "double") return DecideWith::plain;
     return DecideWith::reference;
@@ -63,8 +64,8 @@ void add_decide(CLI::App& app, int& exit_code) {
                      "JSON with blocks of tool and queries (README, 'Ask about a configuration')")
         ->required();
     verb->add_option("--with", options->with,
-                     "reference (exact, in stages), exact (rational numbers alone), double (may be wrong)")
-        ->check(CLI::IsMember({"reference", "exact", "double"}))
+                     "reference (exact, in stages), optimized (exact), exact (rational numbers alone), double (may be wrong)")
+        ->check(CLI::IsMember({"reference", "optimized", "exact", "double"}))
         ->capture_default_str();
     verb->add_option("--out", options->out, "write questions and answers to this file (default: to standard output)");
     verb->footer("Where FILE has answers, they are compared: exit code 3 when one differs.");

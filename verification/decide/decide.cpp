@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "optimized/decide/query.h"
 #include "reference/contact/exact/staged_impact.h"
 
 namespace type21 {
@@ -54,6 +55,11 @@ std::vector<int> near(const DecisionTool& tool, const DecisionQuery& query) {
 }  // namespace
 
 DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method, Funnel* funnel) {
+    if (method == DecideWith::optimized) {
+        const Decision decision = optimized::decide_query(tool.node, tool.normal, tool.segment, query.point, query.gap,
+                                                          query.depth, query.reach);
+        return {decision.kind, decision.segment, decision.triangle, decision.side, decision.stage, 0, 0};
+    }
     const reference::ShapeOf shape_of = [&](int segment) { return shape(tool, segment); };
     const std::vector<int> segments = near(tool, query);
     const reference::DecisionInput input{query.point, segments, shape_of, {query.gap, query.depth, query.reach},
@@ -62,6 +68,8 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
     switch (method) {
         case DecideWith::reference:
             impact = staged_impact(input, funnel);
+            break;
+        case DecideWith::optimized:
             break;
         case DecideWith::exact:
             impact = exact_impact(input);

@@ -11,6 +11,7 @@ namespace type21 {
 
 enum class DecideWith {
     reference,  ///< stages, exact
+    optimized,  ///< the other implementation, exact
     exact,      ///< rational numbers alone: slow, to check the others
     plain       ///< double alone: may be wrong
 };

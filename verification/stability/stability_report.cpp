@@ -79,7 +79,7 @@ nlohmann::ordered_json to_json(const LongRun& run) {
 
 nlohmann::ordered_json to_json(const std::vector<SlidingRow>& rows) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    const auto jumps = [](const Jumps& jumps) {
+    const auto jumps_json = [](const Jumps& jumps) {
         return nlohmann::ordered_json{{"largest_jump", jumps.largest}, {"residual", jumps.residual()}};
     };
     for (const SlidingRow& row : rows)
@@ -89,10 +89,10 @@ nlohmann::ordered_json to_json(const std::vector<SlidingRow>& rows) {
                        {"first_step_mm", first_step},
                        {"mean_normal_force", row.mean_force},
                        {"cycles_out_of_contact", row.open},
-                       {"normal", jumps(row.normal)},
-                       {"friction", jumps(row.friction)},
-                       {"facet_normal", jumps(row.facet_normal)},
-                       {"facet_friction", jumps(row.facet_friction)},
+                       {"normal", jumps_json(row.normal)},
+                       {"friction", jumps_json(row.friction)},
+                       {"facet_normal", jumps_json(row.facet_normal)},
+                       {"facet_friction", jumps_json(row.facet_friction)},
                        {"residual_bound", residual_bound(row)},
                        {"holds", holds(row)}});
     return out;
