@@ -7,6 +7,7 @@
 #include "verification/cli/progress.h"
 #include "verification/cli/run_output.h"
 #include "verification/cli/verbs.h"
+#include "verification/record/contact_choice.h"
 #include "verification/record/run_deck.h"
 
 namespace type21::cli {
@@ -25,7 +26,8 @@ int run(const Options& options) {
     Progress progress(scene.model->units.name(dim::time));
     std::function<void(const RunProgress&)> report;
     if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
-    const RunSummary summary = run_scene(scene, prepared.problems, options.out, report, prepared.options());
+    const RunSummary summary =
+        run_scene(scene, prepared.problems, options.out, report, prepared.options(), options.with);
     progress.finish();
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
@@ -49,7 +51,7 @@ void add_run(CLI::App& app, int& exit_code) {
         "CSV of the shells' thickness: time and one column for each element id, the value at the end of the "
         "cycle at that time; for Igap 2 and Idel");
     verb->add_option("--with", options->with, "who computes the contact")
-        ->check(CLI::IsMember({"reference"}))
+        ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_flag("--quiet", options->quiet, "no progress and no summary");
     verb->callback([options, &exit_code] { exit_code = run(*options); });

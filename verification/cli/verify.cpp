@@ -6,6 +6,7 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/record/contact_choice.h"
 #include "verification/report/check_report.h"
 #include "verification/verify/verify_cases.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> names;
-    std::string cases = "cases", scratch = "build/verify", json, junit;
+    std::string cases = "cases", scratch = "build/verify", json, junit, with = "reference";
     bool list = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
@@ -41,7 +42,7 @@ int verify(const Options& options) {
         fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
                    p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
     };
-    const std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress);
+    const std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress, options.with);
     fmt::print("{}", check_table(results));
     if (!options.json.empty()) write_report(options.json, check_json(results));
     if (!options.junit.empty()) write_report(options.junit, check_junit(results));
@@ -62,6 +63,9 @@ void add_verify(CLI::App& app, int& exit_code) {
     verb->add_option("--junit", options->junit, "write JUnit XML to this file");
     verb->add_option("--jobs", options->jobs, "runs at a time (default: the number of processors)")
         ->check(CLI::PositiveNumber);
+    verb->add_option("--with", options->with, "who computes the contact")
+        ->check(CLI::IsMember(contact_choices()))
+        ->capture_default_str();
     verb->add_flag("--list", options->list, "list the cases and their checks; run nothing");
     verb->callback([options, &exit_code] { exit_code = verify(*options); });
 }

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "reference/contact/contact.h"
 #include "reference/host/conditions.h"
+#include "verification/record/contact_choice.h"
 #include "verification/record/recorder.h"
 #include "verification/record/result_folder.h"
 
@@ -57,7 +57,9 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
 }
 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
-                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options) {
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
+                     const std::string& with) {
+    const MakeContact make = contact_maker(with);
     prepare_folder(folder);
     const std::vector<std::string> warnings = warnings_of(problems);
     const std::filesystem::path json = folder / "run.json";
@@ -92,7 +94,6 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
         summary.contact = counter.result();
         write_json(json, to_json(summary, scene, warnings));
     };
-    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
     try {
         march(scene, make, observe, options);
     } catch (const RunStopped& stop) {

@@ -5,7 +5,7 @@
 
 namespace type21 {
 
-CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder) {
+CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder, const std::string& with) {
     CaseOutcome outcome;
     outcome.folder = folder;
     const auto start = std::chrono::steady_clock::now();
@@ -17,7 +17,7 @@ CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder) {
         if (prepared.scene) {
             for (const Interface& interface : prepared.scene->model->interfaces)
                 outcome.interfaces.push_back(interface.id);
-            outcome.summary = run_scene(*prepared.scene, prepared.problems, folder, {}, prepared.options());
+            outcome.summary = run_scene(*prepared.scene, prepared.problems, folder, {}, prepared.options(), with);
         }
     } catch (const std::exception& error) {
         outcome.error = error.what();

@@ -21,6 +21,7 @@ struct CaseOutcome {
 };
 
 /// Never throws: what goes wrong is in the outcome.
-CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder);
+/// @param with  who computes the contact, one of contact_choices()
+CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder, const std::string& with);
 
 }  // namespace type21

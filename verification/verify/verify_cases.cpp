@@ -34,7 +34,8 @@ std::vector<Case> read_cases(const fs::path& root, const std::vector<std::string
 }
 
 std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::path& scratch, int jobs,
-                                      const std::function<void(const VerifyProgress&)>& progress) {
+                                      const std::function<void(const VerifyProgress&)>& progress,
+                                      const std::string& with) {
     struct Task {
         size_t a_case = 0, run = 0;
     };
@@ -53,7 +54,7 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
         for (size_t t = next++; t < tasks.size(); t = next++) {
             const Case& a_case = cases[tasks[t].a_case];
             const CaseRun& run = a_case.runs[tasks[t].run];
-            const CaseOutcome outcome = run_case(run, scratch / a_case.name / run.name);
+            const CaseOutcome outcome = run_case(run, scratch / a_case.name / run.name, with);
             VerifyProgress report{0, tasks.size(), a_case.name, run.name, outcome.seconds, 0};
             for (size_t i = 0; i < a_case.checks.size(); ++i) {
                 if (a_case.checks[i].run != tasks[t].run) continue;

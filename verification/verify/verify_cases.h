@@ -24,9 +24,11 @@ struct VerifyProgress {
 };
 
 /// Runs everything in scratch/<case>/<run>, `jobs` runs at a time.
+/// @param with      who computes the contact, one of contact_choices()
 /// @param progress  called after each run, never twice at the same time
 /// @return the results in the order of the cases and their checks, whatever the number of jobs
 std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const std::filesystem::path& scratch, int jobs,
-                                      const std::function<void(const VerifyProgress&)>& progress);
+                                      const std::function<void(const VerifyProgress&)>& progress,
+                                      const std::string& with = "reference");
 
 }  // namespace type21

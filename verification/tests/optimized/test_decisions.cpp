@@ -28,7 +28,8 @@ TEST(Decisions, AreThoseOfRationalArithmetic) {
     for (const auto& file : std::filesystem::directory_iterator(TYPE21_SOURCE_DIR "/cases/decisions")) {
         if (file.path().extension() != ".json") continue;
         std::ifstream in(file.path());
-        for (const json& block : json::parse(in)["blocks"]) {
+        const json family = json::parse(in);
+        for (const json& block : family["blocks"]) {
             std::vector<Vec3> nodes, normals;
             for (const json& x : block["nodes"])
                 nodes.push_back(vector(x));

@@ -1,0 +1,54 @@
+/// @file The optimized contact: the same constructor, the same step and the same decisions as the reference.
+#pragma once
+
+#include <memory>
+
+#include "reference/contact/contact.h"
+
+namespace type21::optimized {
+
+/// What the time integration needs of a cycle, and no more: a whole ContactStep is 400 bytes a node to write.
+struct LeanStep {
+    bool active = false;
+    std::span<const Vec3> force;             ///< on each secondary node [force]; empty while inactive
+    std::span<const double> step_stiffness;  ///< k + C/dt1 [force/length]
+    ContactSums sums;
+    ToolLoad tool;
+};
+
+/// How decisions came about since the start.
+struct PathCounts {
+    long nodes = 0;      ///< asked
+    long certified = 0;  ///< by the core of the last sub-triangle
+    long quiet = 0;      ///< by the clearance of a node that nothing takes
+    long searched = 0;   ///< by the tree
+    long whole = 0;      ///< of these, settled by whole numbers
+};
+
+/// Threads: as many as the TBB arena that calls step has; the result is the same bits for any number.
+class Contact final : public ContactMethod {
+  public:
+    Contact(const Scene& scene, int interface);
+    ~Contact() override;
+
+    ContactStep step(const Motion& motion) override;
+    /// The same cycle without the per-node report. Lists of released and inverted nodes, heat and adaptive data are in
+    /// the full step only; a scene that asks for one of them is refused.
+    /// @throws std::logic_error then
+    const LeanStep& step_lean(const Motion& motion);
+
+    std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
+    std::vector<RoomSize> rooms() const override;
+    Funnel funnel() const override;
+
+    PathCounts paths() const;
+    /// Bytes that the tool and its search hold, and those per secondary node.
+    size_t tool_bytes() const;
+    size_t bytes_per_node() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace type21::optimized

@@ -1,0 +1,47 @@
+/// @file Where the retained impact lies (formulation section 5).
+#pragma once
+
+#include "optimized/decide/decide.h"
+#include "optimized/search/tool.h"
+#include "reference/contact/decision.h"
+#include "reference/host/motion.h"
+
+namespace type21::optimized {
+
+inline Decision decision_of(const Retained& r) {
+    Decision d;
+    d.kind = r.landing.kind;
+    d.segment = r.segment;
+    d.triangle = r.piece;
+    d.side = r.landing.side;
+    d.b = r.landing.b;
+    d.c = r.landing.c;
+    return d;
+}
+
+/// In global axes.
+struct ContactPoint {
+    V3 point;             ///< X [length]
+    V3 normal;            ///< nu, outward [-]
+    double distance = 0;  ///< delta along nu [length]
+};
+
+inline V3 rotated(const Mat3& r, const V3& v) {
+    return {r(0, 0) * v.x + r(0, 1) * v.y + r(0, 2) * v.z, r(1, 0) * v.x + r(1, 1) * v.y + r(1, 2) * v.z,
+            r(2, 0) * v.x + r(2, 1) * v.y + r(2, 2) * v.z};
+}
+
+/// X = aA + bB + cC, nu = n / |n|, delta = lift |n|.
+ContactPoint contact_point(const Tool& tool, const Retained& retained, const ToolMotion& pose);
+
+/// D12: the direction of h = P - X, with the sign of the normal interpolated at (b, c); zero where h is. As measured,
+/// it is formed with the corners brought to global axes.
+/// @page departure D12
+ContactPoint contact_point_as_built(const Tool& tool, const Retained& retained, const Vec3& position,
+                                    const ToolMotion& pose);
+
+/// D31, at time 0: the distance along the normal interpolated at (b, c), P - X with it. In the tool frame.
+/// @page departure D31
+ContactPoint contact_point_at_start(const Tool& tool, const Retained& retained, const V3& y);
+
+}  // namespace type21::optimized

@@ -1,0 +1,103 @@
+#include "optimized/kernel/friction_law.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace type21::optimized {
+
+namespace {
+
+/// Renard's curve through (0, C1), (C5, C3), (C6, C4) and towards C2: parabola, cubic, hyperbola.
+double renard(const std::array<double, 6>& c, double s) {
+    const double first = c[0], last = c[1], top = c[2], bottom = c[3], rise = c[4], fall = c[5];
+    if (s <= rise) {
+        const double x = s / rise;
+        return first + (top - first) * x * (2 - x);
+    }
+    if (s < fall) {
+        const double y = (s - rise) / (fall - rise);
+        return top + (bottom - top) * y * y * (3 - 2 * y);
+    }
+    const double past = s - fall;
+    return last - 1 / (1 / (last - bottom) + past * past);
+}
+
+std::vector<int> parts_of_nodes(const Model& model, const Interface& interface) {
+    const auto& nodes = interface.secondary.node;
+    std::vector<int> part(nodes.size(), -1);
+    for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.secondary_surface)].segments) {
+        if (segment.shell < 0) continue;
+        const int own = model.shells[static_cast<size_t>(segment.shell)].part;
+        for (const int node : segment.node) {
+            const auto rank = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
+            int& first = part[static_cast<size_t>(rank)];
+            if (first < 0) first = own;
+        }
+    }
+    return part;
+}
+
+}  // namespace
+
+double FrictionLaw::coefficient(const FrictionCoefficients& f, double p, double s, double factor) const {
+    const auto& c = f.c;
+    double mu = 0;
+    switch (ifric_) {
+        case 1:
+            mu = f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + c[4] * s * s;
+            break;
+        case 2:
+            mu = f.fric + c[0] * std::exp(c[1] * s) * p * p + c[2] * std::exp(c[3] * s) * p + c[4] * std::exp(c[5] * s);
+            break;
+        case 3:
+            mu = renard(c, s);
+            break;
+        case 4:
+            mu = c[0] + (reversed_ ? c[0] - f.fric : f.fric - c[0]) * std::exp(-c[1] * s);
+            break;
+        default:
+            return f.fric * factor;
+    }
+    return std::max(mu, 1e-30);
+}
+
+FrictionTable::FrictionTable(const Model& model, const Interface& interface) {
+    if (interface.friction_model < 0) {
+        common_.fric = interface.fric;
+        for (size_t i = 0; i < common_.c.size(); ++i)
+            common_.c[i] = interface.c[i];
+        return;
+    }
+    const FrictionModel& friction = model.friction_models[static_cast<size_t>(interface.friction_model)];
+    common_ = friction.fallback;
+    pairs_ = friction.pairs;
+    if (pairs_.empty()) return;
+    secondary_part_ = parts_of_nodes(model, interface);
+    for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.main_surface)].segments)
+        main_part_.push_back(segment.shell < 0 ? -1 : model.shells[static_cast<size_t>(segment.shell)].part);
+}
+
+const FrictionCoefficients& FrictionTable::at(int node, int segment) const {
+    if (!by_parts()) return common_;
+    const int one = secondary_part_[static_cast<size_t>(node)], other = main_part_[static_cast<size_t>(segment)];
+    for (const FrictionPair& pair : pairs_) {
+        if ((pair.part_a == one && pair.part_b == other) || (pair.part_a == other && pair.part_b == one))
+            return pair.coefficients;
+    }
+    return common_;
+}
+
+double filter_share(const Interface& interface, double step, const AsBuilt& as_built) {
+    const bool of_card = interface.friction_model >= 0 && as_built.has(Departure::D28);
+    const int kind = of_card ? interface.card_ifiltr : int(interface.ifiltr);
+    const double frequency = of_card ? interface.card_xfreq : double(interface.xfreq);
+    constexpr double turn = 2 * std::numbers::pi;
+    double share = 1;
+    if (frequency != 0 && kind == 1) share = frequency;
+    if (frequency != 0 && kind == 2) share = as_built.has(Departure::D07) ? turn / frequency : turn * frequency;
+    if (frequency != 0 && kind == 3) share = turn * frequency;
+    if (interface.ifiltr != 3) return std::min(share, 1.0);
+    return as_built.has(Departure::D06) ? std::max(share * step, 1.0) : std::min(share * step, 1.0);
+}
+
+}  // namespace type21::optimized

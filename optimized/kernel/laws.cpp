@@ -1,0 +1,49 @@
+#include <algorithm>
+
+#include "optimized/kernel/node_data.h"
+
+namespace type21::optimized {
+
+Laws::Laws(const Scene& scene, int interface)
+    : model(scene.model),
+      card(&model->interfaces[static_cast<size_t>(interface)]),
+      tool(*model, *card),
+      friction_law(card->ifric, model->as_built),
+      friction_table(*model, *card) {
+    const auto asked = [&](Effect e) { return scene.has(interface, e); };
+    rules.one_race = d11 = as_built(Departure::D11);
+    rules.lift_leaning = as_built(Departure::D35);
+    d05 = as_built(Departure::D05) && card->istf == 1 && card->igap != 2;
+    d08 = as_built(Departure::D08);
+    d12 = as_built(Departure::D12);
+    d16 = as_built(Departure::D16);
+    d33 = as_built(Departure::D33);
+    // How far heat reaches beyond the gap; D11: Drad counts even where nothing radiates.
+    if (card->ithe != 0) {
+        if (card->frad > 0 || d11) proximity = card->drad;
+        if (card->function_distance >= 0) proximity = std::max(proximity, double(card->dcond));
+    }
+    if (asked(Effect::heat)) heat.emplace(*model, *card);
+    if (asked(Effect::gap_growth)) growth.emplace(*model, *card);
+    if (asked(Effect::deletion)) deletion.emplace(*model, card->secondary.node, false);
+    if (asked(Effect::friction_heat_factor))
+        friction_of_temperature = &model->functions[static_cast<size_t>(card->function_friction)];
+    coulomb = card->ifric == 0 && card->friction_model < 0 && friction_of_temperature == nullptr;
+    skid = asked(Effect::skid_line);
+    release = asked(Effect::release_bcs);
+    normals_test = asked(Effect::normals_test);
+    effects_ = (asked(Effect::damping) ? effect::damping : 0) | (asked(Effect::friction) ? effect::friction : 0) |
+               (asked(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
+    if (!coulomb || deletion || skid || release || normals_test || d05 || d11 || d12 || d33)
+        effects_ |= effect::rare | effect::any;
+}
+
+Cycle::Cycle(const Laws& laws, const Motion& motion_, int inacti_)
+    : motion(motion_),
+      pose(motion_.tools[static_cast<size_t>(laws.card->tool)]),
+      time_zero(motion_.time <= 0),
+      inacti(inacti_) {
+    if (laws.has(effect::friction)) filter = filter_share(*laws.card, motion_.friction_step, laws.model->as_built);
+}
+
+}  // namespace type21::optimized

@@ -1,0 +1,121 @@
+/// @file What the kernel reads and writes: constants and history of the secondary nodes, one array each.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "optimized/kernel/friction_law.h"
+#include "optimized/kernel/gap_law.h"
+#include "optimized/kernel/heat_law.h"
+#include "optimized/search/search.h"
+#include "optimized/sums/step_sums.h"
+#include "reference/contact/contact_step.h"
+#include "reference/host/motion.h"
+#include "reference/model/scene.h"
+
+namespace type21::optimized {
+
+/// What a kernel may be compiled for. `rare` stands for everything else: departures of the contact geometry, laws other
+/// than Coulomb's, pairs of parts, release, deletion, skid line, test of the normals.
+namespace effect {
+constexpr unsigned damping = 1, friction = 2, pmax = 4, heat = 8, rare = 16, any = 32;
+}
+
+/// Constants and history of the secondary nodes; index: rank in SecondarySide::node. Rooms of effects that the scene
+/// does not ask for stay empty.
+struct NodeData {
+    std::vector<int> node;                   ///< index into Model::nodes
+    std::vector<double> gap;                 ///< g [length]
+    std::vector<double> search_gap;          ///< that decides contact; empty when it is g (all but D33) [length]
+    std::vector<double> stiffness;           ///< k; 0 once Inacti 1 has switched the node off [force/length]
+    std::vector<double> friction_stiffness;  ///< empty when it is k (all but D04) [force/length]
+    std::vector<double> mass;                ///< [mass]
+
+    std::vector<double> offset;  ///< P0 [length]
+    std::vector<int> cycles;     ///< consecutive cycles retained in contact with p_g > 0
+    std::vector<Memory> memory;  ///< of the search
+    std::vector<V3> friction;    ///< F_t of the last cycle, global axes [force]
+    std::vector<double> skid;    ///< largest ratio since the start [-]
+    std::vector<char> released;  ///< IBC
+
+    double deciding_gap(size_t i) const { return search_gap.empty() ? gap[i] : search_gap[i]; }
+    double increment_stiffness(size_t i) const {
+        return friction_stiffness.empty() || stiffness[i] == 0 ? stiffness[i] : friction_stiffness[i];
+    }
+};
+
+/// What stays the same over a run, beside the nodes.
+struct Laws {
+    Laws(const Scene& scene, int interface);
+
+    bool as_built(Departure d) const { return model->as_built.has(d); }
+    unsigned effects() const { return effects_; }
+    bool has(unsigned one) const { return (effects_ & one) != 0; }
+
+    std::shared_ptr<const Model> model;
+    const Interface* card;
+    Tool tool;
+    std::unique_ptr<Search> search;
+    Rules rules;
+    double proximity = 0;  ///< [length]
+
+    FrictionLaw friction_law;
+    FrictionTable friction_table;
+    const Function* friction_of_temperature = nullptr;
+    std::optional<HeatLaw> heat;
+    std::optional<GapLaw> growth;
+    std::optional<NodeShells> deletion;
+    bool coulomb = true;  ///< mu is the Fric of the card for every node
+    bool skid = false, release = false, normals_test = false;
+    // Departures that the kernel asks for.
+    bool d05 = false, d08 = false, d11 = false, d12 = false, d16 = false, d33 = false;
+
+  private:
+    unsigned effects_ = 0;
+};
+
+/// Numbers of one cycle.
+struct Cycle {
+    Cycle(const Laws& laws, const Motion& motion, int inacti);
+
+    const Motion& motion;
+    const ToolMotion& pose;
+    bool time_zero;
+    int inacti;
+    double filter = 1;  ///< alpha [-]
+};
+
+/// What a chunk of nodes adds to a step, in the order of its nodes.
+struct ChunkLists {
+    std::vector<int> released;
+    std::vector<InvertedNormal> inverted;
+    std::vector<ToolHeat> tool_heat;
+    void clear() {
+        released.clear();
+        inverted.clear();
+        tool_heat.clear();
+    }
+};
+
+/// Paths of the decisions of a chunk.
+struct PathTally {
+    long certified = 0, quiet = 0, searched = 0, whole = 0;
+};
+
+/// What one thread works with; nothing in it outlives a cycle but its memory.
+struct Workspace {
+    TermBlock terms;
+    StepSums sums;
+    PathTally tally;
+    std::vector<NodeContact> nodes;  ///< of a chunk, for the lean step
+};
+
+/// One chunk of nodes, first <= i < last, of one cycle. out[i - first] is overwritten.
+using Kernel = void (*)(const Laws&, const Cycle&, NodeData&, int first, int last, NodeContact* out, ChunkLists&,
+                        Workspace&);
+
+/// The kernel with the effects of the scene and no others, where there is one; else the one that asks at run time.
+Kernel kernel_for(unsigned effects);
+
+}  // namespace type21::optimized

@@ -1,0 +1,308 @@
+// One node in one cycle, in the order of the formulation. Effects are template arguments: what is absent leaves no
+// branch.
+#include <cmath>
+
+#include "optimized/kernel/contact_point.h"
+#include "optimized/kernel/node_data.h"
+#include "optimized/kernel/normal_law.h"
+
+namespace type21::optimized {
+
+namespace {
+
+/// Is an effect on? A constant but in the kernel for any scene.
+template <unsigned Effects>
+bool on(const Laws& laws, unsigned one) {
+    if constexpr ((Effects & effect::any) != 0) return laws.has(one);
+    return (Effects & one) != 0;
+}
+
+void forget(const Laws& laws, NodeData& nodes, size_t i) {
+    nodes.offset[i] = 0;
+    nodes.cycles[i] = 0;
+    if (!nodes.friction.empty()) nodes.friction[i] = {};
+    static_cast<void>(laws);
+}
+
+/// T_m at the contact point: Tint, or that of the tool's nodes.
+double tool_temperature(const Laws& laws, const Decision& d, const Motion& motion) {
+    if (!laws.heat || !laws.heat->nodal_tool()) return laws.card->tint;
+    const auto& node = laws.model->surfaces[static_cast<size_t>(laws.card->main_surface)]
+                           .segments[static_cast<size_t>(d.segment)]
+                           .node;
+    const auto at = [&](int j) { return motion.temperature[static_cast<size_t>(node[static_cast<size_t>(j)])]; };
+    const bool triangle = laws.tool.is_triangle(d.segment);
+    const PieceCorners corner = piece_corners(triangle, d.triangle);
+    const double of_a = triangle ? at(2) : 0.25 * (at(0) + at(1) + at(2) + at(3));
+    return (1 - d.b - d.c) * of_a + d.b * at(corner.b) + d.c * at(corner.c);
+}
+
+/// The heat of the tool's nodes: a quarter of a's share each, b and c; a triangle has no centre.
+void heat_tool(const Laws& laws, const Decision& d, double heat, ChunkLists& lists) {
+    const auto& node = laws.model->surfaces[static_cast<size_t>(laws.card->main_surface)]
+                           .segments[static_cast<size_t>(d.segment)]
+                           .node;
+    const double a = 1 - d.b - d.c;
+    const bool triangle = laws.tool.is_triangle(d.segment);
+    const PieceCorners corner = piece_corners(triangle, d.triangle);
+    if (triangle) {
+        lists.tool_heat.push_back({node[2], a * heat});
+    } else {
+        for (const int n : node)
+            lists.tool_heat.push_back({n, 0.25 * a * heat});
+    }
+    lists.tool_heat.push_back({node[static_cast<size_t>(corner.b)], d.b * heat});
+    lists.tool_heat.push_back({node[static_cast<size_t>(corner.c)], d.c * heat});
+}
+
+void exchange_heat(const Laws& laws, const Cycle& cycle, size_t i, int model_node, NodeContact& out,
+                   ChunkLists& lists) {
+    const Motion& motion = cycle.motion;
+    const double blank = motion.temperature[static_cast<size_t>(model_node)];
+    const Heat heat = (*laws.heat)(static_cast<int>(i), out.distance, out.gap, out.normal_force, blank,
+                                   tool_temperature(laws, out.decision, motion), motion.step);
+    out.conductance = heat.conductance;
+    out.heat = heat.to_node + out.friction_heat;
+    if (laws.heat->heats_tool())
+        heat_tool(laws, out.decision, (laws.d16 ? out.friction_heat : 0.0) - heat.to_node, lists);
+}
+
+/// The rows of the sums that a closed node adds to.
+void add_terms(const NodeContact& n, double step, const Vec3& center, bool heat, TermBlock& block) {
+    double* at = block.column();
+    const auto put = [&](Term term, double value) { at[static_cast<int>(term) * TermBlock::stride] = value; };
+    const auto put_vector = [&](Term first, const V3& v) {
+        put(first, v.x);
+        put(static_cast<Term>(static_cast<int>(first) + 1), v.y);
+        put(static_cast<Term>(static_cast<int>(first) + 2), v.z);
+    };
+    const auto magnitudes = [](const V3& v) { return V3{std::abs(v.x), std::abs(v.y), std::abs(v.z)}; };
+    if (n.status != Status::open) {
+        const V3 nu = from(n.normal), velocity = from(n.relative_velocity), friction = from(n.friction);
+        const V3 normal = nu * -n.normal_force;
+        const V3 total = normal + friction;
+        const double vn = dot(velocity, nu);
+        const V3 arm = from(n.point) - from(center);
+        const V3 on_tool = from(n.force) * -1;
+        const double square = dot(arm, arm);
+        put_vector(Term::normal_x, normal);
+        put_vector(Term::tangential_x, friction);
+        put_vector(Term::abs_normal_x, magnitudes(normal));
+        put_vector(Term::abs_total_x, magnitudes(total));
+        put(Term::signed_normal, -n.normal_force);
+        put(Term::norm_total, norm(total));
+        put(Term::friction_work, step * dot(velocity, friction));
+        put(Term::damping_work, n.damping * vn * vn * step);
+        put_vector(Term::force_x, on_tool);
+        put_vector(Term::moment_x, cross(arm, on_tool));
+        put(Term::stiffness, n.stiffness);
+        put(Term::rotation, n.stiffness * square);
+        put(Term::step_stiffness, n.step_stiffness);
+        put(Term::step_rotation, n.step_stiffness * square);
+    } else {
+        for (int t = 0; t < static_cast<int>(Term::friction_heat); ++t)
+            at[t * TermBlock::stride] = 0;
+    }
+    put(Term::elastic_energy, n.elastic_energy);
+    if (heat) {
+        put(Term::friction_heat, n.friction_heat);
+        put(Term::heat_to_blank, n.heat);
+    }
+    block.next();
+}
+
+template <unsigned Effects>
+void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, bool acts, NodeContact& out) {
+    const Interface& card = *laws.card;
+    const V3 velocity = from(out.relative_velocity), nu = from(out.normal);
+    const double k = acts ? nodes.increment_stiffness(i) : 0.0;
+    const double area = card.secondary.area[i];
+    double mu = 0;
+    if (!on<Effects>(laws, effect::rare) || laws.coulomb) {
+        mu = card.fric;
+    } else {
+        double factor = 1;
+        if (laws.friction_of_temperature != nullptr) {
+            // D08: Tint always, and AscaleF unused.
+            const double blank = cycle.motion.temperature[static_cast<size_t>(nodes.node[i])];
+            const double mean =
+                0.5 * (blank + (laws.d08 ? double(card.tint) : tool_temperature(laws, out.decision, cycle.motion)));
+            factor = (*laws.friction_of_temperature)(laws.d08 ? mean : card.ascalef * mean);
+        }
+        const double pressure = area > 0 ? out.normal_force / area : 0.0;
+        const double speed = norm(velocity - nu * dot(velocity, nu));
+        mu = laws.friction_law.coefficient(laws.friction_table.at(static_cast<int>(i), out.decision.segment), pressure,
+                                           speed, factor);
+    }
+    double limit = mu * std::abs(out.normal_force);
+    if (on<Effects>(laws, effect::pmax) && card.itlim == 0) limit = std::min(limit, area * card.pmax / std::sqrt(3.0));
+    const Tangential t =
+        returned_to_limit(nodes.friction[i], velocity, cycle.filter * k * cycle.motion.friction_step, nu, limit);
+    nodes.friction[i] = t.force;
+    out.friction = to_vec3(t.force);
+    out.status = t.slides ? Status::slip : Status::stick;
+    if (on<Effects>(laws, effect::heat) && k > 0)
+        out.friction_heat = card.fheat * (dot(t.trial - t.force, t.force) / k);
+    if (on<Effects>(laws, effect::rare) && laws.skid) {
+        const double share = t.slides ? skid_share(norm(t.force), card.pskid, area) : 0.0;
+        nodes.skid[i] = std::max(nodes.skid[i], share);
+        out.skid = nodes.skid[i];
+    }
+}
+
+/// @return false where nothing is to be summed
+template <unsigned Effects>
+bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, NodeContact& out, ChunkLists& lists,
+               PathTally& tally) {
+    const Interface& card = *laws.card;
+    const Motion& motion = cycle.motion;
+    const ToolMotion& pose = cycle.pose;
+    const bool heated = on<Effects>(laws, effect::heat);
+    const bool rare = on<Effects>(laws, effect::rare);
+    const double gap = nodes.gap[i];
+    out.gap = gap;
+    if (rare && laws.skid) out.skid = nodes.skid[i];
+    if (nodes.stiffness[i] == 0 && !heated) return false;
+
+    // Where the node is and what it touches (sections 1, 3, 4). The transform is written as the formulation has it: its
+    // rounding is part of the position that decisions are exact for.
+    const int model_node = nodes.node[i];
+    const Vec3& position = motion.position[static_cast<size_t>(model_node)];
+    Search::Found found;
+    bool gone = false;
+    if (rare && laws.deletion && !motion.thickness.empty()) {
+        const auto shells = laws.deletion->at(static_cast<int>(i));
+        gone = !shells.empty() && std::all_of(shells.begin(), shells.end(),
+                                              [&](int s) { return motion.thickness[static_cast<size_t>(s)] <= 0; });
+    }
+    V3 y;
+    if (!gone) {
+        const Vec3 at = pose.rotation.transpose() * (position - pose.position);
+        y = from(at);
+        found = laws.search->find(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules, nodes.memory[i]);
+        tally.certified += found.path == Path::certified;
+        tally.quiet += found.path == Path::quiet;
+        tally.searched += found.path == Path::searched;
+        tally.whole += found.retained.settled == Settled::whole;
+    }
+    if (found.retained.segment < 0) {
+        if (!cycle.time_zero) forget(laws, nodes, i);
+        return false;
+    }
+    out.decision = decision_of(found.retained);
+
+    // Section 5.
+    const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, found.retained, position, pose)
+                                                : contact_point(laws.tool, found.retained, pose);
+    out.distance = point.distance;
+    out.normal = to_vec3(point.normal);
+    out.point = to_vec3(point.point);
+    const bool in_contact = out.decision.kind == Kind::contact;
+    // D11: a proximity node nearer than its gap has force, without a count and without an offset.
+    const bool has_force = nodes.stiffness[i] != 0 && (in_contact || (rare && laws.d11));
+    const double deep = has_force ? penetration_beyond_rounding(gap, point.distance, largest(y)) : 0.0;
+    out.geometric_penetration = deep;
+    if (!in_contact && nodes.cycles[i] > 0) forget(laws, nodes, i);
+    if (deep == 0) {
+        // D33: at time 0 being retained counts as a cycle.
+        if (rare && laws.d33 && cycle.time_zero && has_force && in_contact) nodes.cycles[i] = 1;
+        if (!cycle.time_zero || nodes.cycles[i] == 0) {
+            if (!cycle.time_zero) forget(laws, nodes, i);
+            if (!heated) return false;
+            exchange_heat(laws, cycle, i, model_node, out, lists);
+            return true;
+        }
+    } else if (in_contact) {
+        ++nodes.cycles[i];
+    }
+
+    // Section 6.
+    const bool first = nodes.cycles[i] == 1;
+    double offset = first && !cycle.time_zero ? deep : nodes.offset[i];
+    if (rare && laws.normals_test && first && deep > gap + 0.99 * card.depth)
+        lists.inverted.push_back({model_node, out.decision.segment, deep});
+    offset = offset_after(offset, cycle.inacti == 6, deep, gap);
+    nodes.offset[i] = offset;
+    out.offset = offset;
+    const double p = std::max(deep - offset, 0.0);
+    out.penetration = p;
+    const bool forgiven = cycle.time_zero && (cycle.inacti == 5 || cycle.inacti == 6);
+    const bool acts = p > 0 || (first && !forgiven);
+    const double k = acts ? nodes.stiffness[i] : 0.0;
+    out.stiffness = k;
+    if (rare && laws.release && p > 0 && nodes.released[i] == 0) {
+        nodes.released[i] = 1;
+        lists.released.push_back(model_node);
+    }
+
+    // Section 7.
+    const V3 nu = point.normal;
+    const V3 arm = point.point - from(pose.position);
+    const V3 velocity = from(motion.velocity[static_cast<size_t>(model_node)]) -
+                        (from(pose.velocity) + cross(from(pose.angular_velocity), arm));
+    out.relative_velocity = to_vec3(velocity);
+    const Spring spring =
+        on<Effects>(laws, effect::pmax)
+            ? yielding_spring(k, p, std::max(gap - card.secondary.gap[i], 0.0), card.secondary.area[i] * card.pmax)
+            : linear_spring(k, p);
+    out.elastic_force = spring.force;
+    out.elastic_energy = spring.energy;
+    // D05, Istf 1: Stfac to the power p^2.
+    if (rare && laws.d05) out.elastic_energy = k != 0 ? std::pow(double(card.stfac), p * p) : 0.0;
+    if (on<Effects>(laws, effect::damping)) out.damping = card.viss * std::sqrt(2 * k * nodes.mass[i]);
+    out.normal_force = spring.force - out.damping * dot(velocity, nu);
+    out.step_stiffness = motion.step > 0 ? k + out.damping / motion.step : k;
+
+    // Section 8 and the rest of 9.
+    if (acts) out.status = Status::slip;
+    if (on<Effects>(laws, effect::friction)) friction<Effects>(laws, cycle, nodes, i, acts, out);
+    out.force = out.normal_force * out.normal - out.friction;
+    if (heated) exchange_heat(laws, cycle, i, model_node, out, lists);
+    return true;
+}
+
+template <unsigned Effects>
+void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, int last, NodeContact* out,
+            ChunkLists& lists, Workspace& work) {
+    const bool heated = on<Effects>(laws, effect::heat);
+    const int terms = static_cast<int>(heated ? Term::heat_to_tool : Term::friction_heat);
+    for (int i = first; i < last; ++i) {
+        NodeContact& node = out[i - first];
+        node = NodeContact{};
+        if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(i), node, lists, work.tally)) continue;
+        add_terms(node, cycle.motion.step, cycle.pose.position, heated, work.terms);
+        if (work.terms.size() < TermBlock::room) continue;
+        work.sums.add(work.terms, terms);
+        work.terms.clear();
+    }
+    if (work.terms.size() > 0) {
+        work.sums.add(work.terms, terms);
+        work.terms.clear();
+    }
+    for (const ToolHeat& heat : lists.tool_heat)
+        work.sums[Term::heat_to_tool].add(heat.heat);
+}
+
+}  // namespace
+
+Kernel kernel_for(unsigned effects) {
+    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax, heat = effect::heat;
+    switch (effects) {
+        case 0:
+            return kernel<0>;
+        case damping:
+            return kernel<damping>;
+        case rubbing:
+            return kernel<rubbing>;
+        case damping | rubbing:
+            return kernel<damping | rubbing>;
+        case damping | rubbing | pmax:
+            return kernel<damping | rubbing | pmax>;
+        case damping | rubbing | heat:
+            return kernel<damping | rubbing | heat>;
+        default:
+            return kernel<effect::any>;
+    }
+}
+
+}  // namespace type21::optimized

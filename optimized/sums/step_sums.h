@@ -1,0 +1,87 @@
+/// @file All sums over the nodes of one cycle.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "optimized/sums/exact_accumulator.h"
+#include "reference/contact/contact_step.h"
+
+namespace type21::optimized {
+
+/// One number of a node for each sum, and a row of a block for each of these.
+enum class Term : int {
+    normal_x,
+    normal_y,
+    normal_z,  // -F_n nu
+    tangential_x,
+    tangential_y,
+    tangential_z,  // F_t
+    abs_normal_x,
+    abs_normal_y,
+    abs_normal_z,
+    abs_total_x,
+    abs_total_y,
+    abs_total_z,    // |components of the force on the tool|
+    signed_normal,  // -F_n
+    norm_total,
+    friction_work,
+    damping_work,
+    elastic_energy,
+    force_x,
+    force_y,
+    force_z,  // on the tool
+    moment_x,
+    moment_y,
+    moment_z,  // about x_G
+    stiffness,
+    rotation,
+    step_stiffness,
+    step_rotation,
+    friction_heat,
+    heat_to_blank,
+    heat_to_tool,
+    count
+};
+
+/// Rows of terms of up to `room` nodes: they are summed a block at a time, while they are in the cache.
+class TermBlock {
+  public:
+    static constexpr int room = 256;
+
+    double* column() { return value_.data() + size_; }
+    static constexpr int stride = room;
+    void next() { ++size_; }
+    int size() const { return size_; }
+    void clear() { size_ = 0; }
+    const double* row(int term) const { return value_.data() + term * room; }
+
+  private:
+    alignas(64) std::array<double, static_cast<size_t>(Term::count) * room> value_;
+    int size_ = 0;
+};
+
+struct StepSums {
+    std::array<ExactAccumulator, static_cast<size_t>(Term::count)> sum;
+
+    void add(const TermBlock& block, int terms) {
+        for (int t = 0; t < terms; ++t)
+            sum[static_cast<size_t>(t)].add_block(block.row(t), block.size());
+    }
+    void add(const StepSums& other) {
+        for (size_t t = 0; t < sum.size(); ++t)
+            sum[t].add(other.sum[t]);
+    }
+    void clear() {
+        for (ExactAccumulator& s : sum)
+            s.clear();
+    }
+    ExactAccumulator& operator[](Term term) { return sum[static_cast<size_t>(term)]; }
+    double value(Term term) const { return sum[static_cast<size_t>(term)].value(); }
+    Vec3 vector(Term first) const {
+        const auto at = static_cast<size_t>(first);
+        return {sum[at].value(), sum[at + 1].value(), sum[at + 2].value()};
+    }
+};
+
+}  // namespace type21::optimized
