@@ -68,6 +68,7 @@ const std::vector<Row>& rows() {
         {friction, "friction_laws_pv", "page", 4, {{"Ifric", "0"}}},
         {friction, "friction_laws_pv", "page", 5, {{"Ifric", "0"}}, true},
         {friction, "fric1_table", "as_built", 1, {{"fric_ID", "0"}}},
+        {friction, "friction_pairs", "page", 1, {{"fric_ID", "0"}}, true},
         {friction_filter, "filter_step", "page", 2, {{"Ifiltr", "0"}}},
         {friction_filter, "filter_step", "page", 3, {{"Ifiltr", "0"}}},
         {friction_filter, "filter_step", "page", 4, {{"Ifiltr", "0"}}},
