@@ -42,18 +42,21 @@ std::string to_text(const std::vector<SlidingRow>& rows) {
     }
     return text +
            "\n  facets': the residual with the plain normal of the nearest facet on the same path.\n"
-           "  The interpolated normal goes through every edge without a jump where the walls between the lifted "
-           "sub-triangles\n"
-           "  are plane: flat tools, and cylinders with edges along or across the axis. On distorted and warped meshes "
-           "the\n"
-           "  normals at the two ends of an edge are not in one plane with it. The sub-triangles at its sides then "
-           "lift the\n"
-           "  edge to two slightly different lines, and the choice between them (the smaller kappa) goes from one to "
-           "the\n"
-           "  other a little beside both: the weights, the normal and the distance jump by what lies between. It is "
-           "the\n"
-           "  method's own discontinuity: of second order in the angle between the facets, and no step makes it "
-           "smaller.\n";
+           "  Across a common edge the interpolated normal and the distance are continuous (to second order in the "
+           "angle of the\n"
+           "  fold times the height), so a jump has another cause: the choice of the piece. A sub-triangle takes a "
+           "node up to\n"
+           "  1 % outside of it, and of all that take it the smallest kappa wins. Where two weights are below 1/3, "
+           "kappa is\n"
+           "  2 (largest weight - 1/3): it does not see on which side of the edge the node is. On flat tools and on "
+           "cylinders\n"
+           "  of quads along the axis both sides weigh alike, or lie in one plane. On distorted quads one side is "
+           "preferred\n"
+           "  over the whole strip of 1 %: the node goes on along the extended facet of a neighbour and changes over "
+           "at the\n"
+           "  end of the strip. The jump is of the order k x 1 % of the element x angle of the fold, and no step makes "
+           "it\n"
+           "  smaller. It is the method's own.\n";
 }
 
 nlohmann::ordered_json to_json(const LongRun& run) {
@@ -79,8 +82,8 @@ nlohmann::ordered_json to_json(const LongRun& run) {
 
 nlohmann::ordered_json to_json(const std::vector<SlidingRow>& rows) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    const auto jumps = [](const Jumps& jumps) {
-        return nlohmann::ordered_json{{"largest_jump", jumps.largest}, {"residual", jumps.residual()}};
+    const auto jumps = [](const Jumps& of) {
+        return nlohmann::ordered_json{{"largest_jump", of.largest}, {"residual", of.residual()}};
     };
     for (const SlidingRow& row : rows)
         out.push_back({{"tool", name(row.shape)},
