@@ -163,6 +163,20 @@ TEST_P(RigidMotion, AnInterruptedContactGoesOnWithTheSameBits) {
     EXPECT_EQ(got, expected);
 }
 
+// By design: over the common edge of two segments both take the node equally well, and the lowest number wins.
+TEST(Ties, GoToAnotherSegmentWhenTheSegmentsAreRenumbered) {
+    Tool tool = make_tool(Shape::flat, Mesh::quad);
+    const Vec3 over_edge(0, 0.9, 0.7);  // between columns 4 and 5 of row 5
+    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
+    const NodeContact first = LedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+    std::reverse(tool.segment.begin(), tool.segment.end());
+    const NodeContact second = LedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+    EXPECT_EQ(first.decision.segment, 54);
+    EXPECT_EQ(second.decision.segment, 99 - 55) << "the same rule, the other piece";
+    EXPECT_EQ(first.force, second.force) << "on one plane both give the same force";
+    EXPECT_NEAR(first.normal_force, 300, 1e-12);
+}
+
 TEST(Candidates, InAnyOrderGiveTheSameBits) {
     for (const Mesh mesh : {Mesh::quad, Mesh::triangle, Mesh::distorted, Mesh::warped}) {
         const Scene scene = scene_of(Shape::concave, mesh);
