@@ -91,9 +91,9 @@ std::vector<MemoryFile> deck_files(std::string_view text) {
     return files;
 }
 
-size_t read_and_resolve(std::string_view text, const AsBuilt& departures) {
+Reading read_and_resolve(std::string_view text, const AsBuilt& departures) {
     Problems problems;
-    size_t length = 0;
+    Reading reading;
     const Deck deck = read_deck(deck_files(text), problems);
     if (!deck.starter.empty() || !problems.has_errors()) {
         auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
@@ -103,13 +103,14 @@ size_t read_and_resolve(std::string_view text, const AsBuilt& departures) {
             check_runnable(scene, problems);
             for (const Interface& interface : model->interfaces) {
                 for (const FieldRow& row : field_table(interface, model->units))
-                    length += row.value.size();
+                    reading.length += row.value.size();
             }
         }
     }
     for (const Problem& problem : problems.list())
-        length += to_text(problem).size();
-    return length;
+        reading.length += to_text(problem).size();
+    reading.accepted = !problems.has_errors();
+    return reading;
 }
 
 }  // namespace type21::fuzz

@@ -16,11 +16,15 @@ inline constexpr std::string_view file_mark = "//// ";
 /// The text up to the first mark is the starter deck fuzz_0000.rad.
 std::vector<MemoryFile> deck_files(std::string_view text);
 
+struct Reading {
+    bool accepted = false;  ///< the deck has no error
+    size_t length = 0;      ///< of all that text, so that nothing of it is optimised away
+};
+
 /// What a run does before its first cycle and `type21 check` prints: read, resolve, plan, check, every message and
 /// every field as text.
-/// @return length of all that text, so that nothing of it is optimised away
 /// @throws std::logic_error when the reader has broken a promise: a model without an error that holds an index out of
 ///         range or a number that is not finite
-size_t read_and_resolve(std::string_view text, const AsBuilt& departures);
+Reading read_and_resolve(std::string_view text, const AsBuilt& departures);
 
 }  // namespace type21::fuzz

@@ -55,7 +55,6 @@ SlidingRow slide_over(const MakeContact& make_contact, Shape shape, Mesh mesh) {
         LedNode node(scene, make_contact);
         JumpOf normal, friction, facet_normal, facet_friction;
         double sum = 0;
-        row.open = 0;
         Vec3 before = on_path(shape, -h);
         for (long n = 0; n <= cycles; ++n) {
             const double way = static_cast<double>(n) * h;

@@ -18,9 +18,9 @@ std::string to_text(const std::vector<SlidingRow>& rows);
 nlohmann::ordered_json to_json(const LongRun& run);
 nlohmann::ordered_json to_json(const std::vector<SlidingRow>& rows);
 
-/// What must hold of a row: no cycle out of contact, and the residual of the method not above its bound.
+/// What must hold of a row: no cycle out of contact, and no residual above its bound.
 bool holds(const SlidingRow& row);
-/// Largest residual of the normal force that is let pass [N].
-double residual_bound(const SlidingRow& row);
+/// Largest residual that is let pass beside that of the facets [N].
+double residual_bound(const SlidingRow& row, const Jumps& facets);
 
 }  // namespace type21::stability

@@ -62,6 +62,19 @@ TEST(Sliding, OnDistortedAndWarpedMeshesTheMethodJumpsMuchLessThanFacets) {
     }
 }
 
+TEST(Sliding, ARowThatJumpsAsFacetsDoDoesNotHold) {
+    SlidingRow row = slide_over(make_reference, Shape::convex, Mesh::warped);
+    ASSERT_TRUE(holds(row));
+    SlidingRow normal = row;
+    normal.normal = row.facet_normal;
+    EXPECT_FALSE(holds(normal));
+    SlidingRow friction = row;
+    friction.friction = row.facet_friction;
+    EXPECT_FALSE(holds(friction));
+    row.open = 1;
+    EXPECT_FALSE(holds(row));
+}
+
 TEST(Facets, NearestPointOfATriangle) {
     const Vec3 a(0, 0, 0), b(4, 0, 0), c(0, 3, 0);
     EXPECT_EQ(nearest_point({1, 1, 2}, a, b, c), Vec3(1, 1, 0));    // inside
