@@ -40,7 +40,7 @@ bool tells_apart(const Case& a_case, size_t index, const CaseRun& other) {
     CaseRun changed = a_case.runs[index];
     changed.as_built = other.as_built;
     TempFolder folder;
-    const CaseOutcome outcome = run_case(changed, folder / "run");
+    const CaseOutcome outcome = run_case(changed, folder / "run", "reference");
     for (const CaseCheck& check : a_case.checks) {
         if (check.run != index || std::holds_alternative<BalanceCheck>(check.form)) continue;
         if (!evaluate(a_case, check, outcome).ok) return true;

@@ -161,7 +161,7 @@ struct Verdict {
 
 Verdict verdict_of(const Case& a_case, size_t index, const CaseRun& run) {
     TempFolder folder;
-    const CaseOutcome outcome = run_case(run, folder / "run");
+    const CaseOutcome outcome = run_case(run, folder / "run", "reference");
     Verdict verdict;
     verdict.refused = outcome.refused;
     for (const std::string& problem : outcome.problems)
