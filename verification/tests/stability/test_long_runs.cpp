@@ -51,6 +51,7 @@ class Drifting final : public ContactMethod {
         return contact_.initial_penetrations(x);
     }
     std::vector<RoomSize> rooms() const override { return contact_.rooms(); }
+    Funnel funnel() const override { return contact_.funnel(); }
 
   private:
     reference::Contact contact_;
