@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "reference/contact/contact.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
 #include "verification/record/build_info.h"
+#include "verification/record/contact_choice.h"
 #include "verification/stability/long_runs.h"
 #include "verification/stability/stability_report.h"
 
@@ -36,7 +36,7 @@ int run(const Options& options) {
         return options.names.empty() ||
                std::find(options.names.begin(), options.names.end(), name) != options.names.end();
     };
-    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
+    const MakeContact make = contact_maker(options.with);
     const BuildInfo& build = build_info();
     nlohmann::ordered_json out{{"program", {{"version", build.version}, {"commit", build.commit}}},
                                {"contact", options.with}};
@@ -71,7 +71,7 @@ void add_stability(CLI::App& app, int& exit_code) {
     verb->add_option("--cycles", options->cycles, "of each long run, in place of its own number (1e5 or 1e6)")
         ->check(CLI::Range(10000L, 1000000000L));
     verb->add_option("--with", options->with, "who computes the contact")
-        ->check(CLI::IsMember({"reference"}))
+        ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_option("--json", options->json, "write the same as JSON to this file");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
