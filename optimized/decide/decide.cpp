@@ -1,5 +1,8 @@
 #include "optimized/decide/decide.h"
 
+#include <limits>
+#include <optional>
+
 namespace type21::optimized {
 
 bool Decider::beats(const Contender& one, const Contender& other) const {
@@ -33,29 +36,96 @@ void Decider::add(int rank, int piece, const FilterResult& result) {
     }
 }
 
-Retained Decider::settle(const std::vector<SegmentData>& segments) const {
-    // Exact numbers for each contender, then the order of section 4.
-    struct Known {
-        ExactLanding landing;
-        int segment, piece;
-    };
-    std::vector<Known> known;
-    size_t at = 0;
-    each([&](const Contender& one) {
-        Known k{exact_landing(p_, segments[at++], one.piece, window_, rules_), one.segment, one.piece};
-        if (k.landing.taken) known.push_back(std::move(k));
-    });
-    const auto precedes = [&](const Known& one, const Known& other) {
-        if (one.landing.landing.kind != other.landing.landing.kind && !rules_.one_race)
-            return one.landing.landing.kind == Kind::contact;
-        const int order = compare_kappa(one.landing, other.landing);
-        if (order != 0) return order < 0;
-        if (one.segment != other.segment) return one.segment < other.segment;
-        return one.piece < other.piece;
-    };
-    const auto first = std::min_element(known.begin(), known.end(), precedes);
-    if (first == known.end()) return {};
-    return {first->segment, first->piece, first->landing.landing, Settled::whole};
+namespace {
+
+constexpr size_t nobody = std::numeric_limits<size_t>::max();
+
+bool lower(const Contender& one, const Contender& other) {
+    return one.segment != other.segment ? one.segment < other.segment : one.piece < other.piece;
+}
+
+/// The place of the retained one in 100 bits, nobody where none takes the node, or nothing where these cannot tell.
+std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> contenders,
+                                    std::span<const SegmentData> segments, const Window& window, const Rules& rules) {
+    size_t first = nobody;
+    Kind kind = Kind::none;
+    FineKappa kappa;
+    for (size_t i = 0; i < contenders.size(); ++i) {
+        FineKappa own;
+        const FilterResult result = fine_filter(p, segments[i], contenders[i].piece, window, rules, own);
+        if (result.verdict == Verdict::rejected || result.verdict == Verdict::beyond) continue;
+        if (result.verdict == Verdict::unsure) return std::nullopt;
+        bool better = first == nobody;
+        if (first != nobody && kind != result.landing.kind && !rules.one_race) {
+            better = result.landing.kind == Kind::contact;
+        } else if (first != nobody) {
+            // The difference rounds once more, relative to itself.
+            const double apart = leading(own.value - kappa.value);
+            if (!(std::abs(apart) > 1.01 * (own.bound + kappa.bound))) return std::nullopt;
+            better = apart < 0;
+        }
+        if (!better) continue;
+        first = i;
+        kind = result.landing.kind;
+        kappa = own;
+    }
+    return first;
+}
+
+size_t first_in_whole(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
+                      const Window& window, const Rules& rules) {
+    size_t first = nobody;
+    ExactLanding least;
+    for (size_t i = 0; i < contenders.size(); ++i) {
+        ExactLanding one = exact_landing(p, segments[i], contenders[i].piece, window, rules);
+        if (!one.taken) continue;
+        bool better = first == nobody;
+        if (!better && one.landing.kind != least.landing.kind && !rules.one_race) {
+            better = one.landing.kind == Kind::contact;
+        } else if (!better) {
+            const int order = compare_kappa(one, least);
+            better = order < 0 || (order == 0 && lower(contenders[i], contenders[first]));
+        }
+        if (!better) continue;
+        first = i;
+        least = std::move(one);
+    }
+    return first;
+}
+
+/// Magnitudes are a function of node and sub-triangle alone, whoever the other contenders were and whatever settled the
+/// decision: those of the first stage that can tell all of it.
+Landing magnitudes(const V3& p, const SegmentData& segment, int piece, const Window& window, const Rules& rules) {
+    const auto good = [](const FilterResult& r) { return r.verdict == Verdict::taken && r.landing.side != 0; };
+    const FilterResult fast = filter(p, segment, local_segment(segment), piece, window, rules);
+    if (good(fast)) return fast.landing;
+    FineKappa kappa;
+    const FilterResult fine = fine_filter(p, segment, piece, window, rules, kappa);
+    if (good(fine)) return fine.landing;
+    return exact_landing(p, segment, piece, window, rules).landing;
+}
+
+}  // namespace
+
+Retained Decider::settle(std::span<const Contender> contenders, std::span<const SegmentData> segments) const {
+    Settled settled = Settled::filter;
+    size_t first = 0;
+    if (contenders.size() == 1 && !contenders[0].unsure) {
+        settled = Settled::fine;  // only its side is open
+    } else if (contenders.size() > 1 && tied(p_, contenders, segments, window_, rules_)) {
+        settled = Settled::tie;
+        for (size_t i = 1; i < contenders.size(); ++i)
+            if (lower(contenders[i], contenders[first])) first = i;
+    } else if (const auto fine = first_in_fine(p_, contenders, segments, window_, rules_)) {
+        settled = Settled::fine;
+        first = *fine;
+    } else {
+        settled = Settled::whole;
+        first = first_in_whole(p_, contenders, segments, window_, rules_);
+    }
+    if (first == nobody) return {};
+    return {contenders[first].segment, contenders[first].piece,
+            magnitudes(p_, segments[first], contenders[first].piece, window_, rules_), settled};
 }
 
 }  // namespace type21::optimized

@@ -6,13 +6,15 @@
 
 #include "optimized/decide/exact.h"
 #include "optimized/decide/filter.h"
+#include "optimized/decide/tie.h"
 
 namespace type21::optimized {
 
 /// What settled a decision.
 enum class Settled {
     filter,  ///< double with error bounds
-    tie,     ///< an identity of shared corners
+    tie,     ///< the proof of a tie
+    fine,    ///< 100 bits with error bounds
     whole    ///< whole numbers
 };
 
@@ -22,14 +24,6 @@ struct Retained {
     int piece = 0;     ///< sub-triangle k
     Landing landing;
     Settled settled = Settled::filter;
-};
-
-/// A sub-triangle that may be retained.
-struct Contender {
-    int segment, piece;
-    Kind kind;         ///< not proven when unsure
-    bool unsure;       ///< the filter could not tell
-    double low, high;  ///< kappa lies between them; not when unsure
 };
 
 /// Collects what may take one node, in any order, and names the one retained. Contenders that are proven to lose are
@@ -54,10 +48,19 @@ class Decider {
         if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0) {
             return {list_[0].segment, list_[0].piece, best_, Settled::filter};
         }
+        if (more_.empty()) {
+            std::array<SegmentData, room> segments;
+            for (size_t i = 0; i < count_; ++i)
+                segments[i] = segment_of(list_[i].segment);
+            return settle({list_.data(), count_}, {segments.data(), count_});
+        }
+        std::vector<Contender> contenders;
         std::vector<SegmentData> segments;
-        segments.reserve(count_ + more_.size());
-        each([&](const Contender& one) { segments.push_back(segment_of(one.segment)); });
-        return settle(segments);
+        each([&](const Contender& one) {
+            contenders.push_back(one);
+            segments.push_back(segment_of(one.segment));
+        });
+        return settle(contenders, segments);
     }
 
   private:
@@ -72,7 +75,8 @@ class Decider {
     }
     /// Proven: one is retained rather than other.
     bool beats(const Contender& one, const Contender& other) const;
-    Retained settle(const std::vector<SegmentData>& segments) const;
+    /// More than the filter is needed: a proven tie, 100 bits, whole numbers, in this order.
+    Retained settle(std::span<const Contender> contenders, std::span<const SegmentData> segments) const;
 
     V3 p_;
     Window window_;

@@ -32,9 +32,20 @@ struct FilterResult {
     Landing landing;  ///< filled when taken or beyond
 };
 
+/// kappa of a sub-triangle in 100 bits.
+struct FineKappa {
+    TwoDoubles value;
+    double bound = 0;  ///< |computed - exact| [-]
+};
+
 /// @param p       the node in the tool frame [length]
 /// @param k       sub-triangle, 1..4 (1 for a triangle)
 FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k, const Window& window,
                     const Rules& rules);
+
+/// The same in numbers of 100 bits: near-ties of structured meshes, whose kappa differ in the rounding of coordinates
+/// only, end here.
+FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const Window& window, const Rules& rules,
+                         FineKappa& kappa);
 
 }  // namespace type21::optimized

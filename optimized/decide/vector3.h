@@ -4,30 +4,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimized/decide/two_doubles.h"
 #include "reference/model/vector.h"
 
 namespace type21::optimized {
 
 /// A vector in the tool frame. Plain members keep each sum in the order in which it is written, on every compiler.
-struct V3 {
-    double x = 0, y = 0, z = 0;
+template <class Real>
+struct Triple {
+    Real x{0}, y{0}, z{0};
 
-    double operator[](int i) const { return i == 0 ? x : (i == 1 ? y : z); }
-    friend V3 operator+(const V3& p, const V3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-    friend V3 operator-(const V3& p, const V3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-    friend V3 operator*(const V3& p, double f) { return {p.x * f, p.y * f, p.z * f}; }
-    friend V3 operator*(double f, const V3& p) { return p * f; }
+    const Real& operator[](int i) const { return i == 0 ? x : (i == 1 ? y : z); }
+    friend Triple operator+(const Triple& p, const Triple& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+    friend Triple operator-(const Triple& p, const Triple& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+    friend Triple operator*(const Triple& p, const Real& f) { return {p.x * f, p.y * f, p.z * f}; }
+    friend Triple operator*(const Real& f, const Triple& p) { return p * f; }
 };
 
-inline double dot(const V3& p, const V3& q) {
+using V3 = Triple<double>;
+
+template <class Real>
+Real dot(const Triple<Real>& p, const Triple<Real>& q) {
     return (p.x * q.x + p.y * q.y) + p.z * q.z;
 }
-inline V3 cross(const V3& p, const V3& q) {
+template <class Real>
+Triple<Real> cross(const Triple<Real>& p, const Triple<Real>& q) {
     return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 /// Largest component in magnitude.
-inline double largest(const V3& p) {
-    return std::max(std::abs(p.x), std::max(std::abs(p.y), std::abs(p.z)));
+template <class Real>
+double largest(const Triple<Real>& p) {
+    return std::max(std::abs(leading(p.x)), std::max(std::abs(leading(p.y)), std::abs(leading(p.z))));
 }
 inline double norm(const V3& p) {
     return std::sqrt(dot(p, p));

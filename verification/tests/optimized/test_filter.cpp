@@ -53,10 +53,22 @@ TEST_P(Filter, ProvesOnlyWhatIsTrue) {
         const Scene s = random_scene(random, GetParam());
         const LocalSegment local = local_segment(s.segment);
         for (int k = 1; k <= s.segment.pieces(); ++k) {
+            const ExactLanding exact = exact_landing(s.p, s.segment, k, s.window, {});
+            FineKappa kappa;
+            const FilterResult fine = fine_filter(s.p, s.segment, k, s.window, {}, kappa);
+            if (fine.verdict != Verdict::unsure) {
+                ASSERT_EQ(fine.verdict == Verdict::taken, exact.taken) << "scene " << i << " piece " << k;
+            }
+            if (fine.verdict == Verdict::taken) {
+                ASSERT_EQ(fine.landing.kind, exact.landing.kind);
+                // The exact kappa, rounded to double and what that leaves, against the two doubles.
+                const mpq_class truth(exact.kappa_over, 3 * exact.kappa_under);
+                const mpq_class found = mpq_class(kappa.value.high) + mpq_class(kappa.value.low);
+                ASSERT_TRUE(abs(truth - found) <= mpq_class(kappa.bound)) << "scene " << i << " piece " << k;
+            }
             const FilterResult fast = filter(s.p, s.segment, local, k, s.window, {});
             if (fast.verdict == Verdict::unsure) continue;
             ++proven;
-            const ExactLanding exact = exact_landing(s.p, s.segment, k, s.window, {});
             ASSERT_EQ(fast.verdict == Verdict::taken, exact.taken) << "scene " << i << " piece " << k;
             if (!exact.taken) continue;
             ++taken;

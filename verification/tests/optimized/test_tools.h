@@ -39,11 +39,14 @@ inline Tool grid(int n, const std::function<double(double, double)>& z, bool tri
 }
 
 /// Every sub-triangle of the tool in whole numbers, without filter and search.
-inline Retained exhaustive(const Tool& tool, const V3& p, const Window& window, const Rules& rules) {
+inline Retained exhaustive(
+    const Tool& tool, const V3& p, const Window& window, const Rules& rules,
+    const std::function<bool(const SegmentData&)>& competes = [](const SegmentData&) { return true; }) {
     Retained best;
     ExactLanding least;
     for (int s = 0; s < tool.size(); ++s) {
         const SegmentData segment = tool.segment(s);
+        if (!competes(segment)) continue;
         for (int k = 1; k <= segment.pieces(); ++k) {
             ExactLanding one = exact_landing(p, segment, k, window, rules);
             if (!one.taken) continue;

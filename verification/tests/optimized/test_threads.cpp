@@ -1,0 +1,93 @@
+// Any number of threads, and the lean step, give the same bits.
+#include <cstring>
+#include <random>
+#include <tbb/global_control.h>
+
+#include <gtest/gtest.h>
+
+#include "optimized/contact.h"
+#include "reference/host/march.h"
+
+namespace type21 {
+namespace {
+
+Scene scene_of(const std::string& name) {
+    Problems problems;
+    const Deck deck = read_deck(TYPE21_SOURCE_DIR "/cases/" + name + "/" + name + "_0000.rad", problems);
+    auto model = std::make_shared<const Model>(resolve(deck, {}, problems));
+    EXPECT_FALSE(problems.has_errors());
+    return plan(std::move(model));
+}
+
+/// All numbers of a run that sums and forces enter.
+std::vector<double> history(const Scene& scene, int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+    std::vector<double> numbers;
+    march(
+        scene, [](const Scene& s, int i) { return std::make_unique<optimized::Contact>(s, i); },
+        [&](const CycleRecord& record) {
+            for (const ContactStep& step : *record.contacts) {
+                for (const Vec3& v : {step.tool.force, step.tool.moment, step.sums.tangential, step.sums.abs_total})
+                    numbers.insert(numbers.end(), v.data(), v.data() + 3);
+                numbers.insert(numbers.end(),
+                               {step.sums.elastic_energy, step.sums.friction_work, step.tool.step_rotation});
+                for (const NodeContact& node : step.nodes)
+                    numbers.insert(numbers.end(), node.force.data(), node.force.data() + 3);
+            }
+        });
+    return numbers;
+}
+
+TEST(Threads, SameBitsForAnyNumber) {
+    for (const char* name : {"rotating_tool", "therm_form1_heat"}) {
+        const Scene scene = scene_of(name);
+        const std::vector<double> one = history(scene, 1);
+        ASSERT_FALSE(one.empty());
+        for (const int threads : {2, 3, 7}) {
+            const std::vector<double> many = history(scene, threads);
+            ASSERT_EQ(one.size(), many.size());
+            EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(double)), 0) << name << " " << threads;
+        }
+    }
+}
+
+/// Steps twice: whole and lean.
+class WholeAndLean final : public ContactMethod {
+  public:
+    WholeAndLean(const Scene& scene, int interface) : whole_(scene, interface), lean_(scene, interface) {}
+    std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override {
+        return whole_.initial_penetrations(position);
+    }
+    std::vector<RoomSize> rooms() const override { return whole_.rooms(); }
+    ContactStep step(const Motion& motion) override {
+        ContactStep whole = whole_.step(motion);
+        const optimized::LeanStep& lean = lean_.step_lean(motion);
+        EXPECT_EQ(whole.active, lean.active);
+        EXPECT_EQ(whole.nodes.size(), lean.force.size());
+        for (size_t i = 0; i < lean.force.size(); ++i) {
+            EXPECT_EQ(whole.nodes[i].force, lean.force[i]);
+            EXPECT_EQ(whole.nodes[i].step_stiffness, lean.step_stiffness[i]);
+        }
+        EXPECT_EQ(whole.tool.force, lean.tool.force);
+        EXPECT_EQ(whole.sums.friction_work, lean.sums.friction_work);
+        return whole;
+    }
+
+  private:
+    optimized::Contact whole_, lean_;
+};
+
+TEST(LeanStep, HasTheForcesOfTheWholeStep) {
+    march(
+        scene_of("rotating_tool"), [](const Scene& s, int i) { return std::make_unique<WholeAndLean>(s, i); },
+        [](const CycleRecord&) {});
+}
+
+TEST(LeanStep, IsRefusedWhereItWouldLoseSomething) {
+    const Scene scene = scene_of("therm_form1_heat");
+    optimized::Contact contact(scene, 0);
+    EXPECT_THROW(contact.step_lean(Motion{}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace type21
