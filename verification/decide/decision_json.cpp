@@ -35,7 +35,7 @@ std::string_view name(Stage stage) {
 }
 
 std::string to_hex(double value) {
-    return fmt::format("{}0x{:a}", std::signbit(value) ? "-" : "", std::abs(value));
+    return fmt::format("{:a}", value);
 }
 
 nlohmann::ordered_json to_hex(const Vec3& value) {
