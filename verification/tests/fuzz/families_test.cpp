@@ -63,7 +63,7 @@ TEST(Draw, turns_like_the_mathematical_library) {
 
 TEST(Draw, makes_unit_vectors_at_every_scale) {
     for (const double scale : {1e-320, 1e-150, 1.0, 1e150, 1e308}) {
-        const Vec3 n = unit_vector(Vec3(3 * scale / 5, 0, -4 * scale / 5));
+        const Vec3 n = unit_vector(Vec3(3 * (scale / 5), 0, -4 * (scale / 5)));
         EXPECT_NEAR(n.norm(), 1, 1e-3) << scale;
         EXPECT_NEAR(n.x(), 0.6, scale < 1e-300 ? 1e-3 : 1e-15) << scale;
     }
