@@ -19,13 +19,6 @@ struct Options {
     std::string file, out, with = "reference";
 };
 
-DecideWith method_of(const std::string& word) {
-    if (word == "optimized") return DecideWith::optimized;
-    if (word == "exact") return DecideWith::exact;
-    if (word == "double") return DecideWith::plain;
-    return DecideWith::reference;
-}
-
 int decide_file(const Options& options) {
     std::vector<std::string> problems;
     DecisionFile file = read_decisions(options.file, problems);
@@ -39,7 +32,7 @@ int decide_file(const Options& options) {
         for (const std::string& warning : warnings(file.blocks[i].tool))
             fmt::print(stderr, "{}: /blocks/{}: warning: {}\n", options.file, i, warning);
 
-    const DecisionTally tally = answer_all(file, method_of(options.with));
+    const DecisionTally tally = answer_all(file, method_named(options.with));
     nlohmann::ordered_json json = to_json(file);
     json["with"] = options.with;
     json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
@@ -63,9 +56,10 @@ void add_decide(CLI::App& app, int& exit_code) {
     verb->add_option("FILE", options->file,
                      "JSON with blocks of tool and queries (README, 'Ask about a configuration')")
         ->required();
-    verb->add_option("--with", options->with,
-                     "reference (exact, in stages), optimized (exact), exact (rational numbers alone), double (may be wrong)")
-        ->check(CLI::IsMember({"reference", "optimized", "exact", "double"}))
+    verb->add_option(
+            "--with", options->with,
+            "reference (exact, in stages), optimized (exact), exact (rational numbers alone), double (may be wrong)")
+        ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
     verb->add_option("--out", options->out, "write questions and answers to this file (default: to standard output)");
     verb->footer("Where FILE has answers, they are compared: exit code 3 when one differs.");

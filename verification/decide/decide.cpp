@@ -1,14 +1,16 @@
 #include "verification/decide/decide.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "optimized/decide/query.h"
-#include "reference/contact/exact/staged_impact.h"
+#include "verification/decide/question.h"
 
 namespace type21 {
 
@@ -16,16 +18,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-reference::SegmentShape<double> shape(const DecisionTool& tool, int segment) {
-    const auto& corner = tool.segment[static_cast<size_t>(segment)];
-    reference::SegmentShape<double> shape;
-    for (size_t j = 0; j < 4; ++j) {
-        shape.node[j] = tool.node[static_cast<size_t>(corner[j])];
-        shape.normal[j] = tool.normal[static_cast<size_t>(corner[j])];
-    }
-    shape.triangle = corner[2] == corner[3];
-    return shape;
-}
+constexpr std::array methods{DecideWith::reference, DecideWith::optimized, DecideWith::exact, DecideWith::plain};
 
 double farthest_reach(const DecisionQuery& query) {
     return std::max({query.gap, query.depth, query.reach});
@@ -40,8 +33,20 @@ double distance_to_box(const DecisionTool& tool, int segment, const Vec3& point)
     return outside.stableNorm();
 }
 
-/// Segments that a node may touch: nearer than the farthest reach, with room for the rounding of this test.
-std::vector<int> near(const DecisionTool& tool, const DecisionQuery& query) {
+}  // namespace
+
+reference::SegmentShape<double> shape_of(const DecisionTool& tool, int segment) {
+    const auto& corner = tool.segment[static_cast<size_t>(segment)];
+    reference::SegmentShape<double> shape;
+    for (size_t j = 0; j < 4; ++j) {
+        shape.node[j] = tool.node[static_cast<size_t>(corner[j])];
+        shape.normal[j] = tool.normal[static_cast<size_t>(corner[j])];
+    }
+    shape.triangle = corner[2] == corner[3];
+    return shape;
+}
+
+std::vector<int> segments_near(const DecisionTool& tool, const DecisionQuery& query) {
     constexpr double rounding = 1e-9;
     std::vector<int> found;
     for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
@@ -52,7 +57,32 @@ std::vector<int> near(const DecisionTool& tool, const DecisionQuery& query) {
     return found;
 }
 
-}  // namespace
+std::string_view name(DecideWith method) {
+    switch (method) {
+        case DecideWith::reference:
+            return "reference";
+        case DecideWith::optimized:
+            return "optimized";
+        case DecideWith::exact:
+            return "exact";
+        case DecideWith::plain:
+            break;
+    }
+    return "double";
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const DecideWith method : methods)
+        names.emplace_back(name(method));
+    return names;
+}
+
+DecideWith method_named(std::string_view word) {
+    for (const DecideWith method : methods)
+        if (name(method) == word) return method;
+    throw std::invalid_argument(fmt::format("there is no way '{}' to decide", word));
+}
 
 DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method, Funnel* funnel) {
     if (method == DecideWith::optimized) {
@@ -60,10 +90,8 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
                                                           query.depth, query.reach);
         return {decision.kind, decision.segment, decision.triangle, decision.side, decision.stage, 0, 0};
     }
-    const reference::ShapeOf shape_of = [&](int segment) { return shape(tool, segment); };
-    const std::vector<int> segments = near(tool, query);
-    const reference::DecisionInput input{query.point, segments, shape_of, {query.gap, query.depth, query.reach},
-                                         {},          false};
+    const Question question(tool, query);
+    const reference::DecisionInput& input = question.input();
     reference::StagedImpact impact;
     switch (method) {
         case DecideWith::reference:
@@ -82,11 +110,9 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
 }
 
 double margin(const DecisionTool& tool, const DecisionQuery& query) {
-    const reference::ShapeOf shape_of = [&](int segment) { return shape(tool, segment); };
-    const std::vector<int> segments = near(tool, query);
-    const reference::DecisionInput input{query.point, segments, shape_of, {query.gap, query.depth, query.reach},
-                                         {},          false};
-    double margin = decision_margin(input);
+    const Question question(tool, query);
+    const std::vector<int>& segments = question.segments();
+    double margin = decision_margin(question.input());
     // A segment that is too far away cannot matter before its box is in reach.
     for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s)
         if (!std::binary_search(segments.begin(), segments.end(), s))
@@ -102,7 +128,7 @@ double in_ulps(double length, const Vec3& point) {
 std::vector<std::string> warnings(const DecisionTool& tool) {
     size_t flat = 0;
     for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
-        const auto piece = shape(tool, s);
+        const auto piece = shape_of(tool, s);
         bool area = false;
         for (int k = 1; k <= piece.sub_triangles(); ++k)
             area = area || reference::sub_triangle(piece, k).area != Vec3::Zero();

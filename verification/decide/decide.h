@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reference/contact/exact/funnel.h"
@@ -15,6 +16,12 @@ enum class DecideWith {
     exact,      ///< rational numbers alone: slow, to check the others
     plain       ///< double alone: may be wrong
 };
+
+/// "reference", "optimized", "exact", "double": the words of --with.
+std::string_view name(DecideWith method);
+std::vector<std::string> method_names();
+/// @throws std::invalid_argument for a name that is not one
+DecideWith method_named(std::string_view name);
 
 /// The answer without its margin.
 /// @param funnel  counts, where the method has stages

@@ -219,7 +219,7 @@ nlohmann::ordered_json to_json(const DecisionFile& file) {
     json["blocks"] = nlohmann::ordered_json::array();
     for (const DecisionBlock& block : file.blocks) {
         nlohmann::ordered_json one;
-        for (const char* key : {"nodes", "normals", "segments", "queries", "answers"})
+        for (const char* key : {"nodes", "normals", "segments", "queries"})
             one[key] = nlohmann::ordered_json::array();
         for (const Vec3& node : block.tool.node)
             one["nodes"].push_back(to_hex(node));

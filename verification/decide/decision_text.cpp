@@ -8,17 +8,17 @@ namespace {
 
 constexpr double near_border_ulps = 1e6;
 
-std::string in_words(const DecisionAnswer& answer) {
-    if (answer.kind == Kind::none) return "none";
-    return fmt::format("{} with segment {}, triangle {}, side {:+}", name(answer.kind), answer.segment, answer.triangle,
-                       answer.side);
-}
-
 double per_decision(double seconds, long count) {
     return count == 0 ? 0 : 1e9 * seconds / static_cast<double>(count);
 }
 
 }  // namespace
+
+std::string in_words(const DecisionAnswer& answer) {
+    if (answer.kind == Kind::none) return "none";
+    return fmt::format("{} with segment {}, triangle {}, side {:+}", name(answer.kind), answer.segment, answer.triangle,
+                       answer.side);
+}
 
 DecisionTally answer_all(DecisionFile& file, DecideWith method) {
     DecisionTally tally;

@@ -22,6 +22,9 @@ struct DecisionTally {
 /// Answers every query; what answers the file had are compared and replaced.
 DecisionTally answer_all(DecisionFile& file, DecideWith method);
 
+/// "contact with segment 3, triangle 2, side +1", "none".
+std::string in_words(const DecisionAnswer& answer);
+
 std::string to_text(const DecisionTally& tally);
 /// "double 96.1 %, interval 0.2 %, exact 3.7 %; double alone would have got 12 wrong; ..."; nothing for no decisions.
 std::string to_text(const Funnel& funnel);

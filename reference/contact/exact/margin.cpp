@@ -137,9 +137,17 @@ Standing standing_on(const DecisionInput& input, const Vector<Sensitive>& p, con
     return standing;
 }
 
-}  // namespace
+/// The largest power of two that is no larger than the largest coordinate of the node and the candidates; 1 for none.
+double size_of(const DecisionInput& input) {
+    double largest = input.point.cwiseAbs().maxCoeff();
+    for (const int segment : input.segments)
+        for (const Vec3& x : input.shape_of(segment).node)
+            largest = std::max(largest, x.cwiseAbs().maxCoeff());
+    // 2^1000 and its inverse are doubles, and so is what they scale.
+    return largest > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
+}
 
-double decision_margin(const DecisionInput& input) {
+double margin_at_unit_size(const DecisionInput& input) {
     Vector<Sensitive> p;
     for (int i = 0; i < 3; ++i)
         p[i] = Sensitive(input.point[i], Vec3::Unit(i));
@@ -161,6 +169,22 @@ double decision_margin(const DecisionInput& input) {
         margin = std::min(margin, own);
     }
     return margin;
+}
+
+}  // namespace
+
+double decision_margin(const DecisionInput& input) {
+    // Volumes and their squares must fit into doubles: the node is looked at in a unit of its own size.
+    const double size = size_of(input);
+    const ShapeOf shape_of = [&](int segment) {
+        SegmentShape<double> shape = input.shape_of(segment);
+        for (Vec3& x : shape.node)
+            x /= size;
+        return shape;
+    };
+    const Reach<double> reach{input.reach.gap / size, input.reach.depth / size, input.reach.proximity / size};
+    return size *
+           margin_at_unit_size({input.point / size, input.segments, shape_of, reach, input.limits, input.one_race});
 }
 
 }  // namespace type21::reference

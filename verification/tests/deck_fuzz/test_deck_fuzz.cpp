@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/fuzz/deck_input.h"
-#include "verification/fuzz/deck_mutator.h"
+#include "verification/deck_fuzz/deck_input.h"
+#include "verification/deck_fuzz/deck_mutator.h"
 
 namespace type21::fuzz {
 namespace {

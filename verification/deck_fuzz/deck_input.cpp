@@ -1,4 +1,4 @@
-#include "verification/fuzz/deck_input.h"
+#include "verification/deck_fuzz/deck_input.h"
 
 #include <cmath>
 #include <memory>

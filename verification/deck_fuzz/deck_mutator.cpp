@@ -1,4 +1,4 @@
-#include "verification/fuzz/deck_mutator.h"
+#include "verification/deck_fuzz/deck_mutator.h"
 
 #include <algorithm>
 #include <array>

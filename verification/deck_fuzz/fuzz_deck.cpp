@@ -5,8 +5,8 @@
 #include <cstring>
 #include <ctime>
 
-#include "verification/fuzz/deck_input.h"
-#include "verification/fuzz/deck_mutator.h"
+#include "verification/deck_fuzz/deck_input.h"
+#include "verification/deck_fuzz/deck_mutator.h"
 
 namespace {
 
