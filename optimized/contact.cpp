@@ -330,6 +330,13 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
     return lean;
 }
 
+Funnel Contact::funnel() const {
+    const PathCounts& counts = state_->counts;
+    Funnel funnel;
+    funnel.settled = {counts.nodes - counts.whole, 0, counts.whole};
+    return funnel;
+}
+
 std::vector<RoomSize> Contact::rooms() const {
     const State& s = *state_;
     // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node and the memory of the

@@ -39,6 +39,7 @@ class Contact final : public ContactMethod {
 
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
     std::vector<RoomSize> rooms() const override;
+    Funnel funnel() const override;
 
     PathCounts paths() const;
     /// Bytes that the tool and its search hold, and those per secondary node.

@@ -1,7 +1,5 @@
 #include "reference/contact/contact.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "reference/contact/activity.h"
 #include "reference/contact/contact_state.h"
 #include "reference/contact/exact_sum.h"
@@ -125,8 +123,8 @@ ContactStep Contact::step(const Motion& motion) {
         step.tool.damping =
             tool_damping_coefficient(card.damp, tool.mass, d13 ? resultants.step_stiffness : resultants.stiffness);
         step.tool.damping_force = tool_damping(step.tool.damping, pose.velocity, reference.velocity);
-        if (card.tool_rotates) {
-            const double inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
+        if (card.tool_rotates && card.dampr != 0) {
+            const double inertia = smallest_inertia(tool.inertia);
             const double damping =
                 tool_damping_coefficient(card.dampr, inertia, d13 ? resultants.step_rotation : resultants.rotation);
             step.tool.rotational_damping = damping;
@@ -146,6 +144,10 @@ std::vector<RoomSize> Contact::rooms() const {
     if (state.release) rooms.push_back({Effect::release_bcs, Release::bytes_per_node()});
     if (state.deletion) rooms.push_back({Effect::deletion, Deletion::bytes_per_node()});
     return rooms;
+}
+
+Funnel Contact::funnel() const {
+    return state_->funnel;
 }
 
 std::vector<InitialPenetration> Contact::initial_penetrations() const {

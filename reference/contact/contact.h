@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/contact/contact_step.h"
+#include "reference/contact/exact/funnel.h"
 #include "reference/host/motion.h"
 #include "reference/model/scene.h"
 
@@ -36,6 +37,8 @@ class ContactMethod {
     virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
     /// The effects that hold anything, and how much.
     virtual std::vector<RoomSize> rooms() const = 0;
+    /// What settled the decisions since the start.
+    virtual Funnel funnel() const = 0;
 };
 
 namespace reference {
@@ -50,6 +53,7 @@ class Contact final : public ContactMethod {
 
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
     std::vector<RoomSize> rooms() const override;
+    Funnel funnel() const override;
     /// In the positions of the Model.
     std::vector<InitialPenetration> initial_penetrations() const;
 

@@ -49,6 +49,11 @@ SubTriangle<double> in_global_axes(SegmentShape<double> shape, int k, const Tool
     return sub_triangle(shape, k);
 }
 
+Decision decision_of(const StagedImpact& impact) {
+    const auto& weights = impact.projection.weights;
+    return {impact.kind, impact.segment, impact.triangle, impact.side, weights.b, weights.c, impact.stage};
+}
+
 }  // namespace
 
 Contact::State::State(const Scene& scene_, int interface_)
@@ -94,6 +99,12 @@ void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
     candidates = Candidates(surface, reach);
 }
 
+StagedImpact Contact::State::decide(const Vec3& y, const std::vector<int>& near, const Reach<double>& seen,
+                                    const ProjectionLimits<double>& limits) const {
+    const ShapeOf shape_of = [this](int segment) { return surface.shape(segment); };
+    return staged_impact({y, near, shape_of, seen, limits, as_built(Departure::D11)}, &funnel);
+}
+
 Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     std::vector<int> near = candidates.at(y);
@@ -104,13 +115,11 @@ Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const To
     }
     ProjectionLimits<double> limits;
     limits.lift_leaning = as_built(Departure::D35);
-    const Reach<double> seen{node.search_gap, card().depth, proximity};
-    const auto impact = retained_impact<double>(
-        y, near, [&](int s) { return surface.shape(s); }, seen, limits, as_built(Departure::D11));
+    const StagedImpact impact = decide(y, near, {node.search_gap, card().depth, proximity}, limits);
     Touch touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;
-    touch.decision = {impact.kind, impact.segment, impact.triangle, impact.side, weights.b, weights.c};
+    touch.decision = decision_of(impact);
     if (as_built(Departure::D12)) {
         touch.geometry = contact_geometry_as_built(
             position, in_global_axes(surface.shape(impact.segment), impact.triangle, pose), weights);
@@ -128,14 +137,11 @@ Touch Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, co
     if (!as_built(Departure::D31)) return touch(i, y, position, pose);
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     ProjectionLimits<double> limits{-0.05, 1.05, as_built(Departure::D35)};
-    const Reach<double> seen{node.gap, card().depth, 0.0};
-    const std::vector<int> near = candidates.at(y);
-    const auto impact = retained_impact<double>(
-        y, near, [&](int s) { return surface.shape(s); }, seen, limits, as_built(Departure::D11));
+    const StagedImpact impact = decide(y, candidates.at(y), {node.gap, card().depth, 0.0}, limits);
     Touch touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;
-    touch.decision = {impact.kind, impact.segment, impact.triangle, impact.side, weights.b, weights.c};
+    touch.decision = decision_of(impact);
     const auto triangle = sub_triangle(surface.shape(impact.segment), impact.triangle);
     const double a = 1.0 - weights.b - weights.c;
     touch.geometry.point = triangle.b * weights.b + triangle.c * weights.c + triangle.a * a;

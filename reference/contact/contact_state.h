@@ -10,6 +10,7 @@
 #include "reference/contact/contact.h"
 #include "reference/contact/contact_geometry.h"
 #include "reference/contact/deletion.h"
+#include "reference/contact/exact/staged_impact.h"
 #include "reference/contact/friction.h"
 #include "reference/contact/gap_growth.h"
 #include "reference/contact/heat_exchange.h"
@@ -45,6 +46,9 @@ struct Contact::State {
     bool as_built(Departure departure) const { return model->as_built.has(departure); }
     bool has(Effect effect) const { return scene.has(interface, effect); }
 
+    /// The exact decision for a node at y; counts it in the funnel.
+    StagedImpact decide(const Vec3& y, const std::vector<int>& near, const Reach<double>& seen,
+                        const ProjectionLimits<double>& limits) const;
     /// The retained impact of secondary node i at tool-frame position y.
     Touch touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
     /// The impact at time 0 that decides Inacti; with D31 by another projection than every cycle.
@@ -74,6 +78,7 @@ struct Contact::State {
     double reach;      ///< that the boxes are grown by [length]
     Candidates candidates;
     Mat3 box_axes;
+    mutable Funnel funnel;  ///< of all decisions so far
 
     bool started = false;
     int inacti = 0;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0

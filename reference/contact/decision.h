@@ -6,6 +6,13 @@ namespace type21 {
 /// What the retained piece is to the node (formulation section 3, step 5).
 enum class Kind { none, contact, proximity };
 
+/// The arithmetic that settled a decision (section 10): each is asked only where the one before it cannot tell.
+enum class Stage {
+    bounded,   ///< double with a bound on its error
+    interval,  ///< interval of doubles, rounded outwards
+    exact      ///< rational numbers
+};
+
 /// The single retained impact of a node (section 4). It is a pure function of the state of the cycle.
 struct Decision {
     Kind kind = Kind::none;
@@ -14,6 +21,7 @@ struct Decision {
     int side = 0;      ///< +1 outward of the sub-triangle's plane (or on it), -1 behind
     double b = 0;      ///< weight of B, unclipped [-]
     double c = 0;      ///< weight of C, unclipped [-]
+    Stage stage = Stage::bounded;
 };
 
 }  // namespace type21

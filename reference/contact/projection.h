@@ -8,6 +8,21 @@
 
 namespace type21::reference {
 
+// Two functions that do not decide: their value is continuous where they branch. A type that only encloses its value
+// overloads them, so that they never ask it for an answer.
+
+template <class Number>
+Number magnitude(const Number& value) {
+    return value < Number(0) ? Number(-value) : value;
+}
+
+/// To [0, 1].
+template <class Number>
+Number clipped(const Number& value) {
+    if (value < Number(0)) return Number(0);
+    return value > Number(1) ? Number(1) : value;
+}
+
 /// Bounds of the weights, and what happens to a normal that leans away from the triangle.
 template <class Number>
 struct ProjectionLimits {
@@ -83,23 +98,25 @@ std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTria
     const Number height = ap.dot(t.area);
     trace(ProjectionStep::height, height);
 
-    // 1: lift A, B, C along their normals to the plane through P.
+    // 1: lift A, B, C along their normals to the plane through P. A node on the plane (H = 0) lifts nothing, and a
+    // normal that leans away from the triangle does not matter to it.
+    Number slope_a = t.normal_a.dot(t.area);
+    Number slope_b = t.normal_b.dot(t.area);
+    Number slope_c = t.normal_c.dot(t.area);
+    trace(ProjectionStep::corner_slopes, slope_a, slope_b, slope_c);
+    const bool leaning = !(slope_a > zero) || !(slope_b > zero) || !(slope_c > zero);
+    const bool lifted = !leaning || height != zero;
+    if (leaning && lifted) {
+        if (!limits.lift_leaning) return std::nullopt;
+        const Number guard(1e-30);
+        if (slope_a < guard) slope_a = guard;
+        if (slope_b < guard) slope_b = guard;
+        if (slope_c < guard) slope_c = guard;
+    }
     Vector<Number> lifted_a = t.a;
     Vector<Number> lifted_b = t.b;
     Vector<Number> lifted_c = t.c;
-    if (height != zero) {
-        Number slope_a = t.normal_a.dot(t.area);
-        Number slope_b = t.normal_b.dot(t.area);
-        Number slope_c = t.normal_c.dot(t.area);
-        trace(ProjectionStep::corner_slopes, slope_a, slope_b, slope_c);
-        const bool leaning = !(slope_a > zero) || !(slope_b > zero) || !(slope_c > zero);
-        if (leaning) {
-            if (!limits.lift_leaning) return std::nullopt;
-            const Number guard(1e-30);
-            if (slope_a < guard) slope_a = guard;
-            if (slope_b < guard) slope_b = guard;
-            if (slope_c < guard) slope_c = guard;
-        }
+    if (lifted) {
         lifted_a += t.normal_a * (height / slope_a);
         lifted_b += t.normal_b * (height / slope_b);
         lifted_c += t.normal_c * (height / slope_c);
@@ -139,25 +156,24 @@ struct Approach {
 /// Formulation section 3, step 4.
 template <class Number>
 Approach<Number> approach(const Vector<Number>& p, const SubTriangle<Number>& t, const Barycentric<Number>& w) {
-    const Number zero(0);
-    const Number one(1);
-    const auto clip = [&](const Number& value) { return value < zero ? zero : (value > one ? one : value); };
-    const Number a = clip(one - w.b - w.c);
-    const Number b = clip(w.b);
-    const Number c = clip(w.c);
+    const Number a = clipped(Number(Number(1) - w.b - w.c));
+    const Number b = clipped(w.b);
+    const Number c = clipped(w.c);
     const Number sum = a + b + c;
     const Vector<Number> nearest = (t.a * a + t.b * b + t.c * c) / sum;
     const Vector<Number> offset = p - nearest;
-    return {offset.dot(offset), offset.dot(t.area) < zero ? -1 : +1};
+    const Number outward = offset.dot(t.area);
+    return {offset.dot(offset), outward < Number(0) ? -1 : +1};
 }
 
 /// kappa = |1/3 - b| + |1/3 - c| + |2/3 - b - c|: 0 at the centroid. Formulation section 3, step 6.
 template <class Number>
 Number centrality(const Barycentric<Number>& w) {
     const Number third = Number(1) / Number(3);
-    const Number zero(0);
-    const auto magnitude = [&](const Number& value) -> Number { return value < zero ? Number(-value) : value; };
-    return magnitude(third - w.b) + magnitude(third - w.c) + magnitude(third + third - w.b - w.c);
+    const Number to_b = third - w.b;
+    const Number to_c = third - w.c;
+    const Number to_a = third + third - w.b - w.c;
+    return magnitude(to_b) + magnitude(to_c) + magnitude(to_a);
 }
 
 }  // namespace type21::reference

@@ -38,23 +38,47 @@ struct Impact {
     Number kappa{0};
 };
 
+/// What a rank says before kappa is looked at: contact before proximity, anything before nothing.
+/// @param one_race  D11: contact and proximity compete on kappa alone
+/// @return < 0: the first kind wins, > 0: the second, 0: kappa decides
+/// @page departure D11
+inline int order_of_kinds(Kind one, Kind other, bool one_race = false) {
+    if (one == other) return 0;
+    if (one == Kind::none) return +1;
+    if (other == Kind::none) return -1;
+    if (one_race) return 0;
+    return one == Kind::contact ? -1 : +1;
+}
+
 /// True when `one` is retained rather than `other`: contact before proximity, then the smaller kappa, then the lower
 /// segment, then the lower sub-triangle. No two different impacts are equal, so the order of candidates cannot matter.
-/// @param one_race  D11: contact and proximity compete on kappa alone
-/// @page departure D11
 template <class Number>
 bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool one_race = false) {
-    const bool race = one_race && one.kind != Kind::none && other.kind != Kind::none;
-    if (one.kind != other.kind && !race) {
-        return one.kind != Kind::none && (other.kind == Kind::none || one.kind == Kind::contact);
-    }
+    const int kinds = order_of_kinds(one.kind, other.kind, one_race);
+    if (kinds != 0) return kinds < 0;
+    if (one.kind == Kind::none) return false;
     if (one.kappa < other.kappa) return true;
     if (other.kappa < one.kappa) return false;
     if (one.segment != other.segment) return one.segment < other.segment;
     return one.triangle < other.triangle;
 }
 
-/// The retained impact of a node over the segments that may reach it. kind is none where nothing takes it.
+/// What one sub-triangle makes of a node; kind is none where it rejects it or does not reach it.
+template <class Number>
+Impact<Number> impact_on(const Vector<Number>& p, const SegmentShape<Number>& shape, int segment, int k,
+                         const Reach<Number>& reach, const ProjectionLimits<Number>& limits) {
+    const SubTriangle<Number> t = sub_triangle(shape, k);
+    const auto projection = project(p, t, limits);
+    if (!projection) return {};
+    const Approach<Number> near = approach(p, t, projection->weights);
+    const Kind kind = classify(near, reach);
+    if (kind == Kind::none) return {};
+    return {kind, segment, k, near.side, *projection, centrality(projection->weights)};
+}
+
+/// The retained impact of a node over the segments that may reach it, all in one arithmetic. kind is none where nothing
+/// takes it. A run decides by exact/staged_impact.h, which asks the same functions in the cheapest number that can
+/// tell.
 /// @param shape_of  rank of a segment -> SegmentShape<Number>
 template <class Number, class ShapeOf>
 Impact<Number> retained_impact(const Vector<Number>& p, std::span<const int> segments, const ShapeOf& shape_of,
@@ -64,13 +88,7 @@ Impact<Number> retained_impact(const Vector<Number>& p, std::span<const int> seg
     for (const int segment : segments) {
         const SegmentShape<Number> shape = shape_of(segment);
         for (int k = 1; k <= shape.sub_triangles(); ++k) {
-            const SubTriangle<Number> t = sub_triangle(shape, k);
-            const auto projection = project(p, t, limits);
-            if (!projection) continue;
-            const Approach<Number> near = approach(p, t, projection->weights);
-            const Kind kind = classify(near, reach);
-            if (kind == Kind::none) continue;
-            const Impact<Number> impact{kind, segment, k, near.side, *projection, centrality(projection->weights)};
+            const Impact<Number> impact = impact_on(p, shape, segment, k, reach, limits);
             if (precedes(impact, best, one_race)) best = impact;
         }
     }

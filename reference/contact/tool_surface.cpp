@@ -69,8 +69,4 @@ SegmentShape<double> ToolSurface::shape(int segment) const {
     return shape;
 }
 
-const Vec3& ToolSurface::normal(int segment, int corner) const {
-    return normal_[static_cast<size_t>(local_[static_cast<size_t>(segment)][static_cast<size_t>(corner)])];
-}
-
 }  // namespace type21::reference

@@ -20,8 +20,6 @@ class ToolSurface {
     SegmentShape<double> shape(int segment) const;
     /// Indices into Model::nodes of a segment's nodes.
     const std::array<int, 4>& nodes(int segment) const { return segments_[static_cast<size_t>(segment)].node; }
-    /// Unit normal at corner j of a segment.
-    const Vec3& normal(int segment, int corner) const;
     /// Largest distance of a main node from x_G [length], and that node's tool-frame position.
     const Vec3& farthest() const { return farthest_; }
 

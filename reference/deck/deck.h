@@ -41,4 +41,14 @@ struct Deck {
 /// binary content, an include that includes itself, text before the first keyword, no /END) goes to problems.
 Deck read_deck(const std::string& starter_path, Problems& problems);
 
+/// One file of a deck that lies in memory.
+struct MemoryFile {
+    std::string path;  ///< by which the engine deck and includes are found
+    std::string bytes;
+};
+
+/// The same for a deck in memory: files[0] is the starter deck, its engine deck and what it includes are looked for
+/// among the others. Nothing is read from the disk.
+Deck read_deck(const std::vector<MemoryFile>& files, Problems& problems);
+
 }  // namespace type21

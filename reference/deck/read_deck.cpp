@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "reference/deck/deck.h"
+#include "reference/deck/deck_files.h"
 #include "reference/deck/text_file.h"
 
 namespace type21 {
@@ -20,8 +21,8 @@ constexpr std::size_t max_columns = 1000;  ///< of a keyword or data line; a car
 /// Reads the text of one deck, includes in their place, into cards.
 class CardCollector {
   public:
-    CardCollector(Deck& deck, std::vector<Card>& cards, Problems& problems)
-        : deck_(deck), cards_(cards), problems_(problems) {}
+    CardCollector(const DeckFiles& files, Deck& deck, std::vector<Card>& cards, Problems& problems)
+        : files_(files), deck_(deck), cards_(cards), problems_(problems) {}
 
     void read(const std::string& path) {
         Problem blame;
@@ -41,11 +42,11 @@ class CardCollector {
     };
 
     void read_file(const std::string& path, const Problem& blame) {
-        const std::string real = identity(path);
+        const std::string real = files_.identity(path);
         if (!check_include(real, path, blame)) return;
         auto known = loaded_.find(real);
         if (known == loaded_.end()) {
-            std::optional<TextFile> file = load_text(path, blame, problems_);
+            std::optional<TextFile> file = files_.load(path, blame, problems_);
             if (!file) return;
             deck_.files.push_back(path);
             deck_.texts.push_back(file->text);
@@ -151,23 +152,17 @@ class CardCollector {
     void include(const std::string& name, const DataLine& line) {
         const fs::path folder = fs::path(deck_.files.at(static_cast<std::size_t>(line.file))).parent_path();
         fs::path path = (folder / name).lexically_normal();
-        std::error_code code;
-        if (!fs::exists(path, code)) {
+        if (!files_.exists(path.string())) {
             // A deck from Windows writes its folders with backslashes.
             std::string other = name;
             for (char& c : other)
                 c = c == '\\' ? '/' : c;
-            if (const fs::path second = (folder / other).lexically_normal(); fs::exists(second, code)) path = second;
+            const fs::path second = (folder / other).lexically_normal();
+            if (files_.exists(second.string())) path = second;
         }
         Problem blame = at(line);
         blame.card = "#include";
         read_file(path.string(), blame);
-    }
-
-    static std::string identity(const std::string& path) {
-        std::error_code code;
-        const fs::path real = fs::weakly_canonical(path, code);
-        return code ? path : real.string();
     }
 
     Problem at(const DataLine& line) const {
@@ -183,6 +178,7 @@ class CardCollector {
         problems_.add(std::move(problem));
     }
 
+    const DeckFiles& files_;
     Deck& deck_;
     std::vector<Card>& cards_;
     Problems& problems_;
@@ -207,11 +203,9 @@ std::string engine_path(const std::string& starter) {
     return engine;
 }
 
-}  // namespace
-
-Deck read_deck(const std::string& starter_path, Problems& problems) {
+Deck read(const DeckFiles& files, const std::string& starter_path, Problems& problems) {
     Deck deck;
-    CardCollector starter(deck, deck.starter, problems);
+    CardCollector starter(files, deck, deck.starter, problems);
     starter.read(starter_path);
     if (!starter.readable()) return deck;
     Problem problem;
@@ -227,13 +221,23 @@ Deck read_deck(const std::string& starter_path, Problems& problems) {
         problems.add(problem);
     }
     const std::string engine = engine_path(starter_path);
-    std::error_code code;
-    if (!engine.empty() && fs::exists(engine, code)) {
-        CardCollector collector(deck, deck.engine, problems);
+    if (!engine.empty() && files.exists(engine)) {
+        CardCollector collector(files, deck, deck.engine, problems);
         collector.read(engine);
         deck.has_engine = collector.readable();
     }
     return deck;
+}
+
+}  // namespace
+
+Deck read_deck(const std::string& starter_path, Problems& problems) {
+    return read(DiskFiles(), starter_path, problems);
+}
+
+Deck read_deck(const std::vector<MemoryFile>& files, Problems& problems) {
+    if (files.empty()) return {};
+    return read(MemoryFiles(files), files.front().path, problems);
 }
 
 }  // namespace type21

@@ -83,22 +83,21 @@ std::string read_bytes(const std::string& path, std::string& fault) {
     return bytes;
 }
 
+std::nullopt_t refuse(const std::string& path, Problem problem, Problems& problems, const std::string& rule,
+                      const std::string& remedy) {
+    problem.value = path;
+    problem.rule = rule;
+    problem.remedy = remedy;
+    problems.add(std::move(problem));
+    return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems) {
-    const auto refuse = [&](const std::string& rule, const std::string& remedy) {
-        Problem problem = blame;
-        problem.value = path;
-        problem.rule = rule;
-        problem.remedy = remedy;
-        problems.add(problem);
-        return std::nullopt;
-    };
-    std::string fault;
-    std::string bytes = read_bytes(path, fault);
-    if (!fault.empty()) return refuse(fault, "Give the path of a readable text file");
+std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems) {
     if (is_binary(bytes)) {
-        return refuse("the file is binary, not text", "Save the deck as plain text (ASCII or UTF-8)");
+        return refuse(path, blame, problems, "the file is binary, not text",
+                      "Save the deck as plain text (ASCII or UTF-8)");
     }
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
     if (bytes.find('\t') != std::string::npos) bytes = without_tabs(bytes);
@@ -106,6 +105,13 @@ std::optional<TextFile> load_text(const std::string& path, const Problem& blame,
     file.text = std::make_shared<const std::string>(std::move(bytes));
     file.lines = split(*file.text);
     return file;
+}
+
+std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems) {
+    std::string fault;
+    std::string bytes = read_bytes(path, fault);
+    if (!fault.empty()) return refuse(path, blame, problems, fault, "Give the path of a readable text file");
+    return text_of(std::move(bytes), path, blame, problems);
 }
 
 std::string_view trimmed(std::string_view text) {

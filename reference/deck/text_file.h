@@ -22,6 +22,10 @@ struct TextFile {
     std::vector<std::string_view> lines;      ///< without line end, carriage return and trailing blanks
 };
 
+/// The lines of these bytes; binary content is an error.
+/// @param blame as for load_text
+std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems);
+
 /// Loads a file. A file that is missing, not a regular file, unreadable, too large or binary is an error.
 /// @param blame where the message points and which card asked for the file; its value is the path.
 std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems);

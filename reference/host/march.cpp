@@ -214,6 +214,7 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
         record.motion = &motion;
         record.contacts = &steps;
         record.totals = &totals;
+        record.methods = &contacts;
         record.displacement = &state.displacement;
         record.angular_velocity = &state.angular_velocity;
         record.acceleration = &next.acceleration;

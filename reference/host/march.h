@@ -45,6 +45,7 @@ struct CycleRecord {
     const std::vector<Vec3>* reaction = nullptr;          ///< per node, cumulative impulse REAC
     const std::vector<Vec3>* reaction_moment = nullptr;   ///< per node
     const std::vector<double>* temperature = nullptr;     ///< per node, after the heat of the cycle; empty without heat
+    const std::vector<std::unique_ptr<ContactMethod>>* methods = nullptr;  ///< who computed them: funnel, rooms
     bool last = false;
 };
 

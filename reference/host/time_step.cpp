@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
+#include "reference/contact/tool_damping.h"
 
 namespace type21 {
 
@@ -38,10 +38,11 @@ TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
     const Model& model = *scene.model;
     for (const Interface& interface : model.interfaces) {
         reach_.push_back(reach_of(interface, interface.smallest_gap_raw, interface.largest_gap));
-        const Vec3 center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
+        const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(interface.tool)];
+        inertia_.push_back(reference::smallest_inertia(tool.inertia));
         Vec3 farthest = Vec3::Zero();
         for (const int node : interface.main_nodes) {
-            const Vec3 arm = model.nodes.position[static_cast<size_t>(node)] - center;
+            const Vec3 arm = model.nodes.position[static_cast<size_t>(node)] - tool.center;
             if (arm.squaredNorm() > farthest.squaredNorm()) farthest = arm;
         }
         farthest_.push_back(farthest);
@@ -77,8 +78,7 @@ double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactSt
         const ToolLoad& load = contacts[i].tool;
         limit = std::min(limit, damped_step(tool.mass, load.step_stiffness, load.damping));
         if (interface.tool_rotates && load.step_rotation > 0) {
-            const double inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
-            limit = std::min(limit, damped_step(inertia, load.step_rotation, load.rotational_damping));
+            limit = std::min(limit, damped_step(inertia_[i], load.step_rotation, load.rotational_damping));
         }
     }
     for (size_t n = 0; n < stiffness.size(); ++n)

@@ -34,8 +34,9 @@ class TimeStep {
     double thermal_limit(const std::vector<ContactStep>& contacts) const;
 
     Scene scene_;
-    std::vector<double> reach_;   ///< smallest c so far, per interface [length]
-    std::vector<Vec3> farthest_;  ///< main node farthest from x_G, in the tool frame, per interface [length]
+    std::vector<double> reach_;    ///< smallest c so far, per interface [length]
+    std::vector<Vec3> farthest_;   ///< main node farthest from x_G, in the tool frame, per interface [length]
+    std::vector<double> inertia_;  ///< smallest principal inertia of the tool, per interface [mass length^2]
     StepLimits limits_;
 };
 

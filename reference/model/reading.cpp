@@ -98,6 +98,10 @@ std::vector<ListedId> listed_ids(CardReader& reader, size_t first_line, std::str
             const Id id = reader.integer(line, column, column + 9, field);
             if (id != 0) ids.push_back({id, line});
         }
+        if (!reader.blank(line, 101, 10000))
+            reader.warning(static_cast<int>(line), field, reader.text(line, 101, 10000),
+                           "a line of ids has ten fields of ten columns; what stands beyond column 100 is not read",
+                           "Continue on the next line");
     }
     return ids;
 }

@@ -34,6 +34,11 @@ int run(int argc, char** argv) {
     cli::add_verify(app, code);
     cli::add_departures(app, code);
     cli::add_explain(app, code);
+    cli::add_decide(app, code);
+    cli::add_stability(app, code);
+    cli::add_atlas(app, code);
+    cli::add_fuzz(app, code);
+    cli::add_replay(app, code);
     if (argc <= 1) {
         fmt::print(stderr, "{}", app.help());
         return cli::exit_usage;

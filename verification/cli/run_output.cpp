@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "verification/decide/decision_text.h"
+
 namespace type21::cli {
 namespace {
 
@@ -24,6 +26,7 @@ std::string interface_text(const RunSummary& summary, const Model& model, size_t
         out += fmt::format("  deepest   {:.6g} {} at node {}, time {:.6g} {}\n", count.deepest, units.name(dim::length),
                            model.nodes.id[static_cast<size_t>(count.deepest_node)], count.deepest_time,
                            units.name(dim::time));
+    if (const std::string decisions = to_text(summary.funnel[i]); !decisions.empty()) out += "  " + decisions;
     out += fmt::format("  impulse on the tool, normal      {} {}\n", vector_text(totals.normal), impulse);
     out += fmt::format("                       tangential  {} {}\n", vector_text(totals.tangential), impulse);
     out +=

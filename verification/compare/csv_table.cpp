@@ -40,7 +40,7 @@ Number parse(std::string_view cell, const std::string& file, size_t line) {
 void read_header(CsvTable& table, std::string_view line) {
     const std::vector<std::string_view> names = cells(line);
     if (names.front() != "time") throw CsvError(fmt::format("{}:1: the first column must be 'time'", table.file));
-    table.has_object = names.size() > 1 && (names[1] == "node" || names[1] == "rbody");
+    table.has_object = names.size() > 1 && (names[1] == "node" || names[1] == "rbody" || names[1] == "element");
     table.columns.assign(names.begin() + (table.has_object ? 2 : 1), names.end());
     std::vector<std::string> sorted = table.columns;
     std::sort(sorted.begin(), sorted.end());

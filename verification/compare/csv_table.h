@@ -17,10 +17,10 @@ struct CsvError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// `time` first, then maybe `node` or `rbody`, then values.
+/// `time` first, then maybe `node`, `rbody` or `element`, then values.
 struct CsvTable {
     std::string file;
-    bool has_object = false;                  ///< a second column names nodes or bodies
+    bool has_object = false;                  ///< a second column names nodes, bodies or elements
     std::vector<std::string> columns;         ///< the value columns
     std::vector<double> time;                 ///< per row
     std::vector<Id> object;                   ///< per row; empty without has_object

@@ -1,6 +1,8 @@
 /// @file The retained impact, where it lies, and what of the penetration is forgiven (formulation 4 to 6).
 #include <fmt/format.h>
 
+#include "reference/contact/exact/staged_impact.h"
+#include "verification/decide/decide.h"
 #include "verification/explain/node_account.h"
 
 namespace type21 {
@@ -21,7 +23,27 @@ std::string no_impact(const AccountInput& input, const CandidateAccount& candida
         return "the node is switched off: it penetrated at time 0 (Inacti 1)";
     if (input.inspect.stiffness(input.node) == 0) return "the node has no stiffness (k = 0)";
     if (candidates.segments.empty()) return "no segment is near enough: no contact";
+    if (candidates.taken > 0)
+        return "exact arithmetic rejects what the doubles above would take: no contact (type21 decide shows the like)";
     return "every sub-triangle rejects the node: no contact";
+}
+
+/// The numbers above are doubles; where rounding misleads them, the decision is another.
+std::string by_exact_arithmetic(const Impact<double>& of_doubles) {
+    if (of_doubles.kind == Kind::none) return "exact arithmetic takes what the doubles above reject by their rounding";
+    return fmt::format("exact arithmetic; the doubles above would take segment {}, k = {} by their rounding",
+                       of_doubles.segment + 1, of_doubles.triangle);
+}
+
+/// The stage that could tell, and how close it was.
+std::string settled_text(const AccountInput& input, const NodeAccount& account, const std::string& length) {
+    const Vec3 y = input.inspect.tool_frame(input.node, input.motion);
+    const std::vector<int> segments = input.inspect.candidates(input.node, y);
+    const ShapeOf shape_of = [&](int segment) { return input.inspect.shape(segment); };
+    const double margin = decision_margin(
+        {y, segments, shape_of, input.inspect.reach(input.node), input.inspect.limits(), input.inspect.one_race()});
+    return fmt::format("{}; another decision is {:.3g} {} away, {:.3g} ulp", name(account.node.decision.stage), margin,
+                       length, in_ulps(margin, y));
 }
 
 }  // namespace
@@ -29,6 +51,7 @@ std::string no_impact(const AccountInput& input, const CandidateAccount& candida
 AccountSection impact_section(const AccountInput& input, const NodeAccount& account) {
     const Decision& decision = account.node.decision;
     AccountSection section{"retained impact", {}};
+    const std::string length = input.unit(dim::length);
     if (decision.kind == Kind::none) {
         section.say("", no_impact(input, account.candidates), "formulation 4");
         return section;
@@ -44,9 +67,8 @@ AccountSection impact_section(const AccountInput& input, const NodeAccount& acco
     const Impact<double>& ours = account.candidates.retained;
     const bool same =
         ours.segment == decision.segment && ours.triangle == decision.triangle && ours.kind == decision.kind;
-    section.say("why",
-                same ? account.candidates.why : "the decision differs from the one retraced above: please report this",
-                "formulation 4");
+    section.say("why", same ? account.candidates.why : by_exact_arithmetic(ours), "formulation 4");
+    section.say("settled by", settled_text(input, account, length), "formulation 10");
     section.say("a, b, c", fmt::format("{:.9g}, {:.9g}, {:.9g}", 1.0 - decision.b - decision.c, decision.b, decision.c),
                 "formulation 3, step 3");
     return section;

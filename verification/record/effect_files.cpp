@@ -8,7 +8,8 @@ EffectFiles::EffectFiles(const Scene& scene, int interface, const std::filesyste
     : model_(*scene.model), interface_(interface) {
     const Interface& card = model_.interfaces[static_cast<size_t>(interface)];
     if (scene.has(interface, Effect::skid_line)) {
-        skid_.emplace(folder / fmt::format("skid_line_{}.csv", card.id), std::vector<std::string>{"node", "skid"});
+        skid_.emplace(folder / fmt::format("skid_line_{}.csv", card.id),
+                      std::vector<std::string>{"time", "node", "skid"});
         largest_skid_.assign(static_cast<size_t>(card.secondary.size()), 0.0);
     }
     if (scene.has(interface, Effect::adaptive_data)) {
@@ -24,15 +25,16 @@ void EffectFiles::observe(const CycleRecord& record) {
     if (skid_) {
         for (size_t n = 0; n < step.nodes.size(); ++n)
             largest_skid_[n] = step.nodes[n].skid;
-        if (record.last) write_skid_line();
+        if (record.last) write_skid_line(record.time);
     }
     if (adaptive_) write_adaptive(record, step);
 }
 
-void EffectFiles::write_skid_line() {
+void EffectFiles::write_skid_line(double time) {
     const auto& nodes = model_.interfaces[static_cast<size_t>(interface_)].secondary.node;
     for (size_t n = 0; n < nodes.size(); ++n)
-        skid_->row({fmt::format("{}", model_.nodes.id[static_cast<size_t>(nodes[n])])}, {largest_skid_[n]});
+        skid_->row({digits17(time), fmt::format("{}", model_.nodes.id[static_cast<size_t>(nodes[n])])},
+                   {largest_skid_[n]});
     skid_->flush();
 }
 

@@ -11,7 +11,7 @@
 namespace type21 {
 
 /// Files of one interface, each only when the scene asks for its effect:
-///   skid_line_<id>.csv  node,skid: largest skid ratio since the start [-], at the end of the run
+///   skid_line_<id>.csv  time, node, largest skid ratio since the start [-], at the end of the run
 ///   adaptive_<id>.csv   one row when an element is first to be divided: time, element, radius, longest edge [length],
 ///                       cosine of the sharpest angle [-], penetration as a share of the gap [-]
 class EffectFiles {
@@ -21,7 +21,7 @@ class EffectFiles {
     void observe(const CycleRecord& record);
 
   private:
-    void write_skid_line();
+    void write_skid_line(double time);
     void write_adaptive(const CycleRecord& record, const ContactStep& step);
 
     const Model& model_;

@@ -21,14 +21,6 @@ std::vector<std::string> warnings_of(const Problems& problems) {
     return out;
 }
 
-/// What each interface holds per node. A contact is made for it alone: the march makes its own.
-std::vector<std::vector<RoomSize>> rooms_of(const Scene& scene, const MakeContact& make) {
-    std::vector<std::vector<RoomSize>> rooms;
-    for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
-        rooms.push_back(make(scene, static_cast<int>(i))->rooms());
-    return rooms;
-}
-
 /// NAME_0001.rad of NAME_0000.rad.
 std::string engine_path(const std::string& starter) {
     const std::string ending = "_0000.rad";
@@ -75,7 +67,6 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
     // Written first, so that the folder of a run that was killed says whose it is.
     write_json(json, to_json(summary, scene, warnings));
 
-    summary.rooms = rooms_of(scene, make);
     Recorder recorder(scene, folder);
     BalanceObserver balance(scene);
     ContactCounter counter(scene);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "verification/decide/decision_text.h"
 #include "verification/record/build_info.h"
 #include "verification/record/interface_columns.h"
 
@@ -56,6 +57,12 @@ void RunSummary::observe(const CycleRecord& record) {
     cycles = record.cycle + 1;
     time = record.time;
     totals = *record.totals;
+    if (rooms.empty())
+        for (const auto& method : *record.methods)
+            rooms.push_back(method->rooms());
+    funnel.resize(record.methods->size());
+    for (size_t i = 0; i < funnel.size(); ++i)
+        funnel[i] = (*record.methods)[i]->funnel();
 }
 
 std::string_view name(RunSummary::State state) {
@@ -99,6 +106,7 @@ Json to_json(const RunSummary& summary, const Scene& scene, const std::vector<st
         results.push_back({{"interface", model.interfaces[i].id},
                            {"final", final_values},
                            {"state_bytes_per_node", rooms_json(summary.rooms, i)},
+                           {"decisions", to_json(summary.funnel.at(i))},
                            {"heat_to_blank", summary.totals[i].heat_to_blank},
                            {"heat_to_tool", summary.totals[i].heat_to_tool},
                            {"contact", contact_json(summary.contact.at(i), model)},

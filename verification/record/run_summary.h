@@ -26,6 +26,7 @@ struct RunSummary {
     std::vector<InterfaceBalance> balance;
     std::vector<ContactCount> contact;
     std::vector<std::vector<RoomSize>> rooms;  ///< what each interface holds per node
+    std::vector<Funnel> funnel;                ///< what settled the decisions of each interface
 
     void observe(const CycleRecord& record);
 };

@@ -80,8 +80,11 @@ TEST_P(EveryForce, IsTheRunsToTheLastBit) {
         ASSERT_EQ(of.node.force, run.nodes[cycle][rank].force) << "cycle " << cycle;
         if (!of.replay.impact) continue;
         EXPECT_EQ(of.replay.force, run.nodes[cycle][rank].force) << "cycle " << cycle;
-        EXPECT_EQ(of.candidates.retained.segment, of.node.decision.segment);
-        EXPECT_EQ(of.candidates.retained.triangle, of.node.decision.triangle);
+        // The doubles that are shown may err where the bound on their error could not tell, and only there.
+        if (of.node.decision.stage == Stage::bounded) {
+            EXPECT_EQ(of.candidates.retained.segment, of.node.decision.segment);
+            EXPECT_EQ(of.candidates.retained.triangle, of.node.decision.triangle);
+        }
         with_force += of.replay.force.isZero(0.0) ? 0 : 1;
     }
     EXPECT_GT(with_force, 2) << "a scene without force shows nothing";

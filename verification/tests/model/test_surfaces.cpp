@@ -132,6 +132,11 @@ TEST(Groups, MistakesAreNamed) {
     EXPECT_EQ(only(resolved(with_cards("/GRNOD/NODE/10\nn\n" + ints({"66"}))).problems).value, "66");
     EXPECT_EQ(only(resolved(with_cards("/GRNOD/NODE/10\nn\n" + ints({"-1"}))).problems).value, "-1");
     EXPECT_EQ(only(resolved(with_cards("/GRNOD/GRNOD/10\nn\n" + ints({"10"}))).problems).card, "/GRNOD/GRNOD/10");
+    // Eleven ids on one line: the eleventh begins in column 101.
+    const std::string eleven = ints({"1", "2", "3", "4", "5", "1", "2", "3", "4", "1", "5"});
+    const Problem beyond = only(resolved(with_cards("/GRNOD/NODE/10\nn\n" + eleven)).problems);
+    EXPECT_EQ(beyond.severity, Severity::warning);
+    EXPECT_EQ(beyond.value, "5");
     EXPECT_EQ(only(resolved(with_cards("/GRNOD/BOX/10\nn\n" + ints({"1"}))).problems).card, "/GRNOD/BOX");
 }
 

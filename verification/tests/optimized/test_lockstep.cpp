@@ -88,6 +88,7 @@ class Both final : public ContactMethod {
         return ours;
     }
     std::vector<RoomSize> rooms() const override { return optimized_.rooms(); }
+    Funnel funnel() const override { return optimized_.funnel(); }
 
     ContactStep step(const Motion& motion) override {
         const ContactStep theirs = reference_.step(motion);

@@ -59,6 +59,7 @@ class WholeAndLean final : public ContactMethod {
         return whole_.initial_penetrations(position);
     }
     std::vector<RoomSize> rooms() const override { return whole_.rooms(); }
+    Funnel funnel() const override { return whole_.funnel(); }
     ContactStep step(const Motion& motion) override {
         ContactStep whole = whole_.step(motion);
         const optimized::LeanStep& lean = lean_.step_lean(motion);

@@ -1,0 +1,54 @@
+#include "reference/deck/deck_files.h"
+
+#include <filesystem>
+
+namespace type21 {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+bool DiskFiles::exists(const std::string& path) const {
+    std::error_code code;
+    return fs::exists(path, code);
+}
+
+std::string DiskFiles::identity(const std::string& path) const {
+    std::error_code code;
+    const fs::path real = fs::weakly_canonical(path, code);
+    return code ? path : real.string();
+}
+
+std::optional<TextFile> DiskFiles::load(const std::string& path, const Problem& blame, Problems& problems) const {
+    return load_text(path, blame, problems);
+}
+
+bool MemoryFiles::exists(const std::string& path) const {
+    return find(path) != nullptr;
+}
+
+std::string MemoryFiles::identity(const std::string& path) const {
+    return fs::path(path).lexically_normal().string();
+}
+
+std::optional<TextFile> MemoryFiles::load(const std::string& path, const Problem& blame, Problems& problems) const {
+    if (const MemoryFile* file = find(path)) return text_of(file->bytes, path, blame, problems);
+    Problem problem = blame;
+    problem.value = path;
+    problem.rule = "there is no such file";
+    problem.remedy = "Give the path of a readable text file";
+    problems.add(problem);
+    return std::nullopt;
+}
+
+const MemoryFile* MemoryFiles::find(const std::string& path) const {
+    const std::string wanted = identity(path);
+    for (const MemoryFile& file : files_) {
+        if (identity(file.path) == wanted) return &file;
+    }
+    return nullptr;
+}
+
+}  // namespace type21

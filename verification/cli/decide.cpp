@@ -1,0 +1,69 @@
+#include "verification/decide/decide.h"
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/decide/decision_json.h"
+#include "verification/decide/decision_text.h"
+#include "verification/record/build_info.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string file, out, with = "reference";
+};
+
+int decide_file(const Options& options) {
+    std::vector<std::string> problems;
+    DecisionFile file = read_decisions(options.file, problems);
+    for (const std::string& problem : problems)
+        fmt::print(stderr, "{}\n", problem);
+    if (!problems.empty()) {
+        fmt::print(stderr, "{} problems; nothing was decided\n", problems.size());
+        return exit_deck;
+    }
+    for (size_t i = 0; i < file.blocks.size(); ++i)
+        for (const std::string& warning : warnings(file.blocks[i].tool))
+            fmt::print(stderr, "{}: /blocks/{}: warning: {}\n", options.file, i, warning);
+
+    const DecisionTally tally = answer_all(file, method_named(options.with));
+    nlohmann::ordered_json json = to_json(file);
+    json["with"] = options.with;
+    json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
+    json["funnel"] = to_json(tally.funnel);
+    if (options.out.empty()) {
+        fmt::print("{}\n", json.dump(1));
+        fmt::print(stderr, "{}", to_text(tally));
+    } else {
+        write_report(options.out, json);
+        fmt::print("{}", to_text(tally));
+    }
+    return tally.different.empty() ? exit_ok : exit_mismatch;
+}
+
+}  // namespace
+
+void add_decide(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "decide", "Answer geometric questions: which segment, which side, contact or not, how close to another answer");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("FILE", options->file,
+                     "JSON with blocks of tool and queries (README, 'Ask about a configuration')")
+        ->required();
+    verb->add_option(
+            "--with", options->with,
+            "reference (exact, in stages), optimized (exact), exact (rational numbers alone), double (may be wrong)")
+        ->check(CLI::IsMember(method_names()))
+        ->capture_default_str();
+    verb->add_option("--out", options->out, "write questions and answers to this file (default: to standard output)");
+    verb->footer("Where FILE has answers, they are compared: exit code 3 when one differs.");
+    verb->callback([options, &exit_code] { exit_code = decide_file(*options); });
+}
+
+}  // namespace type21::cli

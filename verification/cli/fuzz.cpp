@@ -1,0 +1,112 @@
+#include "verification/fuzz/fuzz.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/fuzz/failure_file.h"
+#include "verification/fuzz/fuzz_text.h"
+#include "verification/record/build_info.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> families;
+    std::string with = "reference", json, failures = "fuzz_failures";
+    FuzzOptions fuzz;
+    bool list = false;
+};
+
+/// A line on a terminal that is written over, every tenth elsewhere when it takes long.
+std::function<void(double)> progress_of(const std::string& family) {
+    using Clock = std::chrono::steady_clock;
+    return [family, terminal = isatty(STDERR_FILENO) == 1,
+            next = Clock::now() + std::chrono::seconds(1)](double share) mutable {
+        const auto now = Clock::now();
+        if (now < next) return;
+        next = now + (terminal ? std::chrono::milliseconds(200) : std::chrono::seconds(30));
+        fmt::print(stderr, "{}{:<16} {:5.1f} %{}", terminal ? "\r" : "", family, 100 * share, terminal ? "\r" : "\n");
+        std::fflush(stderr);
+    };
+}
+
+std::vector<const Family*> chosen(const std::vector<std::string>& names) {
+    std::vector<const Family*> found;
+    for (const std::string& name : names) {
+        const Family* family = family_named(name);
+        if (family == nullptr)
+            throw UsageError(fmt::format("there is no family '{}'; 'type21 fuzz --list' shows those there are", name));
+        found.push_back(family);
+    }
+    if (names.empty())
+        for (const Family& family : families())
+            found.push_back(&family);
+    return found;
+}
+
+int run_fuzz(Options options) {
+    if (options.list) {
+        for (const Family& family : families())
+            fmt::print("{:<16} {}\n", family.name, family.what);
+        return exit_ok;
+    }
+    options.fuzz.method = method_named(options.with);
+    std::vector<FuzzTally> tallies;
+    long different = 0;
+    for (const Family* family : chosen(options.families)) {
+        const FuzzTally& tally =
+            tallies.emplace_back(fuzz(*family, options.fuzz, progress_of(std::string(family->name))));
+        different += tally.different;
+        for (const FuzzFailure& failure : tally.failures) {
+            const std::filesystem::path file =
+                std::filesystem::path(options.failures) /
+                fmt::format("{}_{}_{}_{}.json", tally.family, options.fuzz.seed, failure.block, failure.query);
+            write_report(file, failure_json(failure, tally.family, options.fuzz));
+            fmt::print(stderr, "{}: {}\n", file.string(), failure.what);
+        }
+    }
+    fmt::print("{}", to_text(tallies, options.fuzz));
+    if (!options.json.empty()) {
+        nlohmann::ordered_json json = to_json(tallies, options.fuzz);
+        json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
+        write_report(options.json, json);
+    }
+    if (different == 0) return exit_ok;
+    fmt::print(stderr, "{} answers are wrong; 'type21 replay FILE' shows one of those written to {}\n", different,
+               options.failures);
+    return exit_mismatch;
+}
+
+}  // namespace
+
+void add_fuzz(CLI::App& app, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("fuzz", "Ask the contact random and adversarial questions and compare with exact answers");
+    const auto options = std::make_shared<Options>();
+    options->fuzz.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    verb->add_option("--family", options->families, "families to draw from (default: all)");
+    verb->add_option("--count", options->fuzz.count, "decisions for each family")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->add_option("--seed", options->fuzz.seed, "another seed asks other questions")->capture_default_str();
+    verb->add_option("--with", options->with, "reference, exact, double: what is put to the test")
+        ->check(CLI::IsMember(method_names()))
+        ->capture_default_str();
+    verb->add_option("--jobs", options->fuzz.jobs, "threads (default: the number of processors)")
+        ->check(CLI::PositiveNumber);
+    verb->add_option("--failures", options->failures, "folder for the files of failures")->capture_default_str();
+    verb->add_option("--json", options->json, "write the counts to this file");
+    verb->add_flag("--list", options->list, "list the families; ask nothing");
+    verb->footer(
+        "Exit code 3 when an answer is wrong. The first 10 wrong ones of a family are made small and written.");
+    verb->callback([options, &exit_code] { exit_code = run_fuzz(*options); });
+}
+
+}  // namespace type21::cli

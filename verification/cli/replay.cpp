@@ -1,0 +1,78 @@
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/decide/decision_json.h"
+#include "verification/decide/decision_text.h"
+#include "verification/fuzz/failure_file.h"
+#include "verification/fuzz/judgement.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string file, with;
+};
+
+/// The method that the file says was under test.
+std::string method_in(const std::string& file) {
+    std::ifstream stream(file);
+    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    return json.is_object() && json.contains("with") && json["with"].is_string() ? json["with"].get<std::string>()
+                                                                                 : "reference";
+}
+
+/// @return true where the answer is wrong
+bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
+    const DecisionQuery& query = block.queries[q];
+    fmt::print("{}", every_answer(block.tool, query));
+    const Judgement judgement = judge(block.tool, query, method, Scrutiny::full);
+    std::string wrong = judgement.wrong;
+    if (!block.answers.empty()) {
+        fmt::print("  {:<20} {}\n", "the file", in_words(block.answers[q]));
+        if (wrong.empty() && !judgement.answer.same_decision(block.answers[q])) wrong = "the file says otherwise";
+    }
+    fmt::print("  {} is {}\n", name(method), wrong.empty() ? "right" : "WRONG: " + wrong);
+    return !wrong.empty();
+}
+
+int replay(const Options& options) {
+    std::vector<std::string> problems;
+    const DecisionFile file = read_decisions(options.file, problems);
+    for (const std::string& problem : problems)
+        fmt::print(stderr, "{}\n", problem);
+    if (!problems.empty()) return exit_deck;
+    const std::string with = options.with.empty() ? method_in(options.file) : options.with;
+    DecideWith method = DecideWith::reference;
+    try {
+        method = method_named(with);
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "{}: /with: {}\n", options.file, error.what());
+        return exit_deck;
+    }
+    bool wrong = false;
+    for (size_t b = 0; b < file.blocks.size(); ++b)
+        for (size_t q = 0; q < file.blocks[b].queries.size(); ++q) {
+            fmt::print("block {}, query {}\n", b, q);
+            wrong |= replay_query(file.blocks[b], q, method);
+        }
+    return wrong ? exit_mismatch : exit_ok;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand("replay", "Ask the question of a failure again, of every arithmetic");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("FILE", options->file, "a file that 'type21 fuzz' wrote, or any in the format of decide")
+        ->required();
+    verb->add_option("--with", options->with, "judge this one (default: the one that FILE names, else reference)")
+        ->check(CLI::IsMember(method_names()));
+    verb->footer("Exit code 3 while it is wrong, 0 once it is mended.");
+    verb->callback([options, &exit_code] { exit_code = replay(*options); });
+}
+
+}  // namespace type21::cli
