@@ -211,6 +211,7 @@ inline FilterResult filter_in(const V3& p, const SegmentData& segment, const Loc
     landing.normal = rounded(na * a1 + nb * b1 + nc * c1);
     landing.lift = leading(lift);
     if (kind == Kind::none) landing.height = leading(height) / std::sqrt(leading(d2)) * (1 + 2 * too_coarse);
+    landing.innermost = std::min(leading(a1), std::min(leading(b1), leading(c1))) - db;
     landing.weight_bound = q_bound + 2 * 0x1p-53;
     landing.kappa_bound = 4.1 * q_bound + 12 * 0x1p-53;
     if (fine != nullptr) *fine = {TwoDoubles(kappa), 4.1 * q_bound + 12 * e};

@@ -2,34 +2,6 @@
 
 namespace type21::optimized {
 
-namespace {
-
-V3 mean(const std::array<V3, 4>& v) {
-    return (((v[0] + v[1]) + v[2]) + v[3]) * 0.25;
-}
-
-struct Weights {
-    double a, b, c;
-    V3 of(const V3& at_a, const V3& at_b, const V3& at_c) const { return (at_b * b + at_c * c) + at_a * a; }
-};
-
-}  // namespace
-
-ContactPoint contact_point(const Tool& tool, const Retained& r, const ToolMotion& pose) {
-    const SegmentData s = tool.segment(r.segment);
-    const PieceCorners k = piece_corners(s.triangle, r.piece);
-    const Landing& l = r.landing;
-    const Weights w{1 - l.b - l.c, l.b, l.c};
-    const V3 x =
-        w.of(s.triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(k.b)], s.node[static_cast<size_t>(k.c)]);
-    const double length = norm(l.normal);
-    ContactPoint point;
-    point.distance = l.lift * length;
-    point.normal = rotated(pose.rotation, {l.normal.x / length, l.normal.y / length, l.normal.z / length});
-    point.point = from(pose.position) + rotated(pose.rotation, x);
-    return point;
-}
-
 ContactPoint contact_point_as_built(const Tool& tool, const Retained& r, const Vec3& position, const ToolMotion& pose) {
     SegmentData s = tool.segment(r.segment);
     for (size_t j = 0; j < 4; ++j) {
@@ -38,9 +10,9 @@ ContactPoint contact_point_as_built(const Tool& tool, const Retained& r, const V
     }
     const PieceCorners k = piece_corners(s.triangle, r.piece);
     const Landing& l = r.landing;
-    const Weights w{1 - l.b - l.c, l.b, l.c};
+    const PointWeights w{1 - l.b - l.c, l.b, l.c};
     const auto at = [&](const std::array<V3, 4>& v) {
-        return w.of(s.triangle ? v[2] : mean(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
+        return w.of(s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
     };
     ContactPoint point;
     point.point = at(s.node);
@@ -56,9 +28,9 @@ ContactPoint contact_point_at_start(const Tool& tool, const Retained& r, const V
     const SegmentData s = tool.segment(r.segment);
     const PieceCorners k = piece_corners(s.triangle, r.piece);
     const Landing& l = r.landing;
-    const Weights w{1 - l.b - l.c, l.b, l.c};
+    const PointWeights w{1 - l.b - l.c, l.b, l.c};
     const auto at = [&](const std::array<V3, 4>& v) {
-        return w.of(s.triangle ? v[2] : mean(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
+        return w.of(s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
     };
     ContactPoint point;
     point.point = at(s.node);

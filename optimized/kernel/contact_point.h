@@ -31,8 +31,31 @@ inline V3 rotated(const Mat3& r, const V3& v) {
             r(2, 0) * v.x + r(2, 1) * v.y + r(2, 2) * v.z};
 }
 
+inline V3 mean_of(const std::array<V3, 4>& v) {
+    return (((v[0] + v[1]) + v[2]) + v[3]) * 0.25;
+}
+
+/// Weights (a, b, c) of a point.
+struct PointWeights {
+    double a, b, c;
+    V3 of(const V3& at_a, const V3& at_b, const V3& at_c) const { return (at_b * b + at_c * c) + at_a * a; }
+};
+
 /// X = aA + bB + cC, nu = n / |n|, delta = lift |n|.
-ContactPoint contact_point(const Tool& tool, const Retained& retained, const ToolMotion& pose);
+inline ContactPoint contact_point(const Tool& tool, const Retained& r, const ToolMotion& pose) {
+    const SegmentData s = tool.segment(r.segment);
+    const PieceCorners k = piece_corners(s.triangle, r.piece);
+    const Landing& l = r.landing;
+    const PointWeights w{1 - l.b - l.c, l.b, l.c};
+    const V3 x = w.of(s.triangle ? s.node[2] : mean_of(s.node), s.node[static_cast<size_t>(k.b)],
+                      s.node[static_cast<size_t>(k.c)]);
+    const double length = norm(l.normal);
+    ContactPoint point;
+    point.distance = l.lift * length;
+    point.normal = rotated(pose.rotation, {l.normal.x / length, l.normal.y / length, l.normal.z / length});
+    point.point = from(pose.position) + rotated(pose.rotation, x);
+    return point;
+}
 
 /// D12: the direction of h = P - X, with the sign of the normal interpolated at (b, c); zero where h is. As measured,
 /// it is formed with the corners brought to global axes.

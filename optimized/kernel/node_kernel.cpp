@@ -1,6 +1,7 @@
 // One node in one cycle, in the order of the formulation. Effects are template arguments: what is absent leaves no
 // branch.
 #include <cmath>
+#include <cstring>
 
 #include "optimized/kernel/contact_point.h"
 #include "optimized/kernel/node_data.h"
@@ -150,10 +151,24 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
     }
 }
 
+/// Why a node is not asked for this cycle, or that it is.
+enum class Ask { yes, untouched, gone };
+
+template <unsigned Effects>
+Ask ask(const Laws& laws, const Cycle& cycle, const NodeData& nodes, size_t i) {
+    if (nodes.stiffness[i] == 0 && !on<Effects>(laws, effect::heat)) return Ask::untouched;
+    const auto thickness = cycle.motion.thickness;
+    if (!on<Effects>(laws, effect::rare) || !laws.deletion || thickness.empty()) return Ask::yes;
+    const auto shells = laws.deletion->at(static_cast<int>(i));
+    const bool gone = !shells.empty() && std::all_of(shells.begin(), shells.end(),
+                                                     [&](int s) { return thickness[static_cast<size_t>(s)] <= 0; });
+    return gone ? Ask::gone : Ask::yes;
+}
+
 /// @return false where nothing is to be summed
 template <unsigned Effects>
-bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, NodeContact& out, ChunkLists& lists,
-               PathTally& tally) {
+bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, const V3& y, Ask asked,
+               const Retained& retained, NodeContact& out, ChunkLists& lists) {
     const Interface& card = *laws.card;
     const Motion& motion = cycle.motion;
     const ToolMotion& pose = cycle.pose;
@@ -162,38 +177,18 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     const double gap = nodes.gap[i];
     out.gap = gap;
     if (rare && laws.skid) out.skid = nodes.skid[i];
-    if (nodes.stiffness[i] == 0 && !heated) return false;
-
-    // Where the node is and what it touches (sections 1, 3, 4). The transform is written as the formulation has it: its
-    // rounding is part of the position that decisions are exact for.
+    if (asked == Ask::untouched) return false;
     const int model_node = nodes.node[i];
-    const Vec3& position = motion.position[static_cast<size_t>(model_node)];
-    Search::Found found;
-    bool gone = false;
-    if (rare && laws.deletion && !motion.thickness.empty()) {
-        const auto shells = laws.deletion->at(static_cast<int>(i));
-        gone = !shells.empty() && std::all_of(shells.begin(), shells.end(),
-                                              [&](int s) { return motion.thickness[static_cast<size_t>(s)] <= 0; });
-    }
-    V3 y;
-    if (!gone) {
-        const Vec3 at = pose.rotation.transpose() * (position - pose.position);
-        y = from(at);
-        found = laws.search->find(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules, nodes.memory[i]);
-        tally.certified += found.path == Path::certified;
-        tally.quiet += found.path == Path::quiet;
-        tally.searched += found.path == Path::searched;
-        tally.whole += found.retained.settled == Settled::whole;
-    }
-    if (found.retained.segment < 0) {
+    if (retained.segment < 0) {
         if (!cycle.time_zero) forget(laws, nodes, i);
         return false;
     }
-    out.decision = decision_of(found.retained);
+    out.decision = decision_of(retained);
 
     // Section 5.
-    const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, found.retained, position, pose)
-                                                : contact_point(laws.tool, found.retained, pose);
+    const Vec3& position = motion.position[static_cast<size_t>(model_node)];
+    const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, retained, position, pose)
+                                                : contact_point(laws.tool, retained, pose);
     out.distance = point.distance;
     out.normal = to_vec3(point.normal);
     out.point = to_vec3(point.point);
@@ -266,14 +261,50 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             ChunkLists& lists, Workspace& work) {
     const bool heated = on<Effects>(laws, effect::heat);
     const int terms = static_cast<int>(heated ? Term::heat_to_tool : Term::friction_heat);
-    for (int i = first; i < last; ++i) {
-        NodeContact& node = out[i - first];
-        node = NodeContact{};
-        if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(i), node, lists, work.tally)) continue;
-        add_terms(node, cycle.motion.step, cycle.pose.position, heated, work.terms);
-        if (work.terms.size() < TermBlock::room) continue;
-        work.sums.add(work.terms, terms);
-        work.terms.clear();
+    const Motion& motion = cycle.motion;
+    Search::Found found[lanes];
+    for (int start = first; start < last; start += lanes) {
+        // Where nodes are and what they touch (sections 1, 3, 4). The transform is written as the formulation has it:
+        // its rounding is part of the position that decisions are exact for.
+        const int count = std::min(lanes, last - start);
+        Search::Asked asked[lanes];
+        Ask why[lanes];
+        V3 y[lanes];
+        int place[lanes], questions = 0;
+        for (int j = 0; j < count; ++j) {
+            const auto i = static_cast<size_t>(start + j);
+            why[j] = ask<Effects>(laws, cycle, nodes, i);
+            if (why[j] != Ask::yes) continue;
+            const Vec3& position = motion.position[static_cast<size_t>(nodes.node[i])];
+            const Vec3 at = cycle.pose.rotation.transpose() * (position - cycle.pose.position);
+            y[j] = from(at);
+            place[questions] = j;
+            asked[questions++] = {y[j], {nodes.deciding_gap(i), laws.card->depth, laws.proximity}, &nodes.memory[i]};
+        }
+        laws.search->find(asked, questions, laws.rules, found);
+        for (int q = 0; q < questions; ++q) {
+            PathTally& tally = work.tally;
+            tally.certified += found[q].path == Path::certified;
+            tally.quiet += found[q].path == Path::quiet;
+            tally.searched += found[q].path == Path::searched;
+            tally.whole += found[q].retained.settled == Settled::whole;
+        }
+        // All that a blank NodeContact holds is zero but for its Decision; one call for four is cheaper than four.
+        std::memset(static_cast<void*>(out + (start - first)), 0, static_cast<size_t>(count) * sizeof(NodeContact));
+        const Retained nothing;
+        for (int j = 0, q = 0; j < count; ++j) {
+            const bool answered = q < questions && place[q] == j;
+            const Retained& retained = answered ? found[q++].retained : nothing;
+            NodeContact& node = out[start + j - first];
+            node.decision = Decision{};
+            if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y[j], why[j], retained, node,
+                                    lists))
+                continue;
+            add_terms(node, motion.step, cycle.pose.position, heated, work.terms);
+            if (work.terms.size() < TermBlock::room) continue;
+            work.sums.add(work.terms, terms);
+            work.terms.clear();
+        }
     }
     if (work.terms.size() > 0) {
         work.sums.add(work.terms, terms);

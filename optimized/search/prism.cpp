@@ -7,30 +7,29 @@ namespace {
 constexpr double coarsest = 1e-11;  ///< relative error of N beyond which the plane is not trusted
 constexpr double steepest = 0.05;   ///< least slope of a unit normal that is trusted
 
-double least(const std::array<double, 3>& v) {
-    return std::min(v[0], std::min(v[1], v[2]));
-}
-double most(const std::array<double, 3>& v) {
-    return std::max(v[0], std::max(v[1], v[2]));
+/// Corners drawn out (share > 0) from the middle, or in: weights 1 + 2 share, -share, -share.
+std::array<V3, 3> drawn_out(const std::array<V3, 3>& v, double share) {
+    std::array<V3, 3> out;
+    for (size_t i = 0; i < 3; ++i)
+        out[i] = v[i] + (v[i] * 2 - v[(i + 1) % 3] - v[(i + 2) % 3]) * share;
+    return out;
 }
 
-/// The smallest m such that <line, x> > bound for every point x that `core` takes with weights >= m, or 1.
-/// Those points lie in the hull of Q_j(m) + h (N^ + tau_V), Q_j(m) the corners drawn in to weights m: a linear function
-/// is least at one of them.
+/// The smallest m such that <line, x> > bound for every point x of `core` with weights >= m, or 1. Those points lie in
+/// the hull of the corners drawn in to weights m, at the lowest and at the greatest height: a linear function is least
+/// at one of these six.
 double margin_beyond(const Prism& core, const V3& line, double bound) {
-    double side = std::numeric_limits<double>::infinity();
-    for (const V3& tau : core.lean) {
-        const double rise = dot(line, core.axis + tau);
-        side = std::min(side, std::min(core.low * rise, core.high * rise));
-    }
-    const std::array<double, 3> at{dot(line, core.corner[0]), dot(line, core.corner[1]), dot(line, core.corner[2])};
-    const double middle = (at[0] + at[1] + at[2]) / 3;
-    if (!(middle + side > bound)) return 1;
     double margin = 0;
-    for (const double value : at) {
-        const double missing = bound - (value + side);
-        if (missing < 0) continue;
-        margin = std::max(margin, missing / (3 * (middle - value)));
+    for (const double h : {core.low, core.high}) {
+        std::array<double, 3> at;
+        for (size_t i = 0; i < 3; ++i)
+            at[i] = dot(line, core.corner[i]) + h * dot(line, core.rise[i]);
+        const double middle = (at[0] + at[1] + at[2]) / 3;
+        if (!(middle > bound)) return 1;
+        for (const double value : at) {
+            // Drawn in to m, the corner has value + 3 m (middle - value).
+            if (value <= bound) margin = std::max(margin, (bound - value) / (3 * (middle - value)));
+        }
     }
     return margin;
 }
@@ -39,15 +38,16 @@ double margin_beyond(const Prism& core, const V3& line, double bound) {
 
 Prism prism(const SegmentData& s, int k, const Limits& limits) {
     Prism p;
-    const PieceCorners c = piece_corners(s.triangle, k);
+    const PieceCorners of = piece_corners(s.triangle, k);
     const auto mean = [](const std::array<V3, 4>& v) { return ((v[0] + v[1]) + (v[2] + v[3])) * 0.25; };
-    p.corner = {s.triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(c.b)],
-                s.node[static_cast<size_t>(c.c)]};
-    const std::array<V3, 3> n{s.triangle ? s.normal[2] : mean(s.normal), s.normal[static_cast<size_t>(c.b)],
-                              s.normal[static_cast<size_t>(c.c)]};
+    p.corner = {s.triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(of.b)],
+                s.node[static_cast<size_t>(of.c)]};
+    const std::array<V3, 3> n{s.triangle ? s.normal[2] : mean(s.normal), s.normal[static_cast<size_t>(of.b)],
+                              s.normal[static_cast<size_t>(of.c)]};
     p.low = -limits.inward;
     p.high = limits.outward;
     p.growth = std::max(limits.outward, limits.inward);
+    p.margin = limits.margin;
     const V3 e1 = p.corner[1] - p.corner[0], e2 = p.corner[2] - p.corner[0];
     double size = 0, far = 0;
     for (const V3& x : s.node) {
@@ -73,31 +73,18 @@ Prism prism(const SegmentData& s, int k, const Limits& limits) {
         }
         if (!(slope[i] > steepest * long_normal)) return p;
     }
-    if (p.low < 0 || p.high > 0) {
-        const double below = least(slope) - 2 * limits.margin * (most(slope) - least(slope));
-        if (!(below > 0.1 * most(slope) * limits.margin)) return p;
-        const double spread = limits.margin * most(slope) / below;
-        std::array<V3, 3> tau;
-        for (size_t i = 0; i < 3; ++i)
-            tau[i] = n[i] * (1 / slope[i]) - p.axis;
-        for (size_t i = 0; i < 3; ++i)
-            p.lean[i] = tau[i] + (tau[i] * 2 - tau[(i + 1) % 3] - tau[(i + 2) % 3]) * spread;
-    }
-    for (size_t i = 0; i < 3; ++i) {
-        const V3& x = p.corner[i];
-        p.reached[i] = x + (x * 2 - p.corner[(i + 1) % 3] - p.corner[(i + 2) % 3]) * limits.margin;
-    }
+    for (size_t i = 0; i < 3; ++i)
+        p.rise[i] = n[i] * (1 / slope[i]);
+    if (p.low == 0 && p.high == 0) p.rise = {};
+    const std::array<V3, 3> wide = drawn_out(p.corner, limits.margin), wide_rise = drawn_out(p.rise, limits.margin);
     for (size_t i = 0; i < 3; ++i) {
         const V3 side = p.corner[(i + 2) % 3] - p.corner[(i + 1) % 3];
         const V3 m = cross(side, p.axis);
         p.outward[i] = m * (1 / norm(m));
-        const auto along = [&](const std::array<V3, 3>& v, const V3& start) {
-            return std::array<double, 3>{dot(p.outward[i], v[0] - start), dot(p.outward[i], v[1] - start),
-                                         dot(p.outward[i], v[2] - start)};
-        };
-        p.rim[i] = most(along(p.reached, p.corner[0]));
-        p.lean_low[i] = least(along(p.lean, {}));
-        p.lean_high[i] = most(along(p.lean, {}));
+        for (size_t c = 0; c < 3; ++c) {
+            p.rim[i][c] = dot(p.outward[i], wide[c] - p.corner[0]);
+            p.lean[i][c] = dot(p.outward[i], wide_rise[c]);
+        }
     }
     p.grown = false;
     return p;
@@ -117,9 +104,12 @@ double Prism::clearance(const V3& y) const {
         clear = std::max(clear, std::max(h - high, low - h));
         for (size_t i = 0; i < 3; ++i) {
             // <= 0 in the region; it changes by at most sqrt(1 + lean^2) per way of y.
-            const double beyond = dot(outward[i], from_a) - rim[i] - std::max(h * lean_high[i], h * lean_low[i]);
-            const double steep = std::max(std::abs(lean_low[i]), std::abs(lean_high[i]));
-            clear = std::max(clear, beyond > 0 ? beyond / std::sqrt(1 + steep * steep) : beyond);
+            double beyond = std::numeric_limits<double>::infinity(), steep = 0;
+            for (size_t c = 0; c < 3; ++c) {
+                beyond = std::min(beyond, dot(outward[i], from_a) - rim[i][c] - h * lean[i][c]);
+                steep = std::max(steep, std::abs(lean[i][c]));
+            }
+            if (beyond > 0) clear = std::max(clear, beyond / std::sqrt(1 + steep * steep));
         }
     }
     return clear - slack;
@@ -131,15 +121,11 @@ Box Prism::box() const {
         box.extend(x);
     box.grow(growth);
     if (!grown) {
-        Box top;
-        for (const V3& tau : lean) {
-            top.extend((axis + tau) * low);
-            top.extend((axis + tau) * high);
-        }
+        const std::array<V3, 3> wide = drawn_out(corner, margin), wide_rise = drawn_out(rise, margin);
         Box exact;
-        for (const V3& q : reached) {
-            exact.extend(q + top.low);
-            exact.extend(q + top.high);
+        for (size_t c = 0; c < 3; ++c) {
+            exact.extend(wide[c] + wide_rise[c] * low);
+            exact.extend(wide[c] + wide_rise[c] * high);
         }
         box.clip(exact);
     }
@@ -166,14 +152,14 @@ double margin_apart(const Prism& core, const Prism& other) {
     margin = std::min(margin, margin_beyond(core, other.axis, dot(other.axis, a) + other.high + slack));
     margin = std::min(margin, margin_beyond(core, other.axis * -1, -dot(other.axis, a) - other.low + slack));
     for (size_t i = 0; i < 3; ++i) {
-        // beyond = min of two linear functions: both must be positive.
-        double both = 0;
-        for (const double lean : {other.lean_low[i], other.lean_high[i]}) {
-            const V3 line = other.outward[i] - other.axis * lean;
-            both =
-                std::max(both, margin_beyond(core, line, dot(line, a) + other.rim[i] + slack * (1 + std::abs(lean))));
+        // Beyond side i are the points that are beyond all three of its linear bounds.
+        double beyond_all = 0;
+        for (size_t c = 0; c < 3; ++c) {
+            const V3 line = other.outward[i] - other.axis * other.lean[i][c];
+            const double bound = dot(line, a) + other.rim[i][c] + slack * (1 + std::abs(other.lean[i][c]));
+            beyond_all = std::max(beyond_all, margin_beyond(core, line, bound));
         }
-        margin = std::min(margin, both);
+        margin = std::min(margin, beyond_all);
     }
     return margin;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optimized/decide/decide.h"
+#include "optimized/decide/plain_landing.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/prism.h"
 #include "optimized/search/tool.h"
@@ -38,8 +39,8 @@ struct ReachBoxRule {
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
-/// Cores. Let m(T) be the smallest weight such that no point that T takes with all its weights >= m(T) is taken by any
-/// other sub-triangle (margin_apart over all T' whose boxes meet that of T's segment; boxes that do not meet are
+/// Cores. Let m(T) be the smallest weight such that no point that T takes with all weights of step 2 >= m(T) is taken
+/// by any other sub-triangle (margin_apart over all T' whose boxes meet that of T's segment; boxes that do not meet are
 /// apart). A node that projects on T with weights >= m(T), at a height between -DEPTH and the largest reach, is taken
 /// by T or by nothing: its projection on T alone decides. m depends on the tool and its limits only; it is found when
 /// first needed, and is the same number whoever finds it.
@@ -56,6 +57,13 @@ class Search {
     };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
+    /// Asks for up to `lanes` nodes at once; the answers are those of find.
+    struct Asked {
+        V3 y;
+        Window window;
+        Memory* memory = nullptr;
+    };
+    void find(const Asked* asked, int count, const Rules& rules, Found* found) const;
     /// The same without memory and certificates.
     Retained search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes = true) const;
 
@@ -65,8 +73,14 @@ class Search {
   private:
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
+    /// The answer for a node in the core of the sub-triangle of its memory, where the bounds of a plain projection are
+    /// foreseen. @param lane  of rows.out
+    bool certified_plainly(const Asked& asked, const PlainRows& rows, int lane, float core, Found& found) const;
+    /// m(T), and beyond_foreseen more where a plain projection has to be filtered.
     float core(int segment, int piece) const;
     void find_cores(int segment) const;
+    void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
+    void fill_lane(const Asked& asked, int lane, PlainRows& rows) const;
     double clearance(const V3& y) const;
 
     const Tool& tool_;

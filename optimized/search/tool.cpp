@@ -1,6 +1,9 @@
 #include "optimized/search/tool.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "optimized/decide/local_segment.h"
 
 namespace type21::optimized {
 
@@ -41,11 +44,18 @@ std::vector<V3> nodal_normals(const std::vector<V3>& position, const std::vector
     return normal;
 }
 
+void Tool::find_extents() {
+    extent_.reserve(corner_.size());
+    for (int s = 0; s < size(); ++s)
+        extent_.push_back(std::nextafter(static_cast<float>(local_segment(segment(s)).extent), HUGE_VALF));
+}
+
 Tool::Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::array<int, 4>> corner)
     : corner_(std::move(corner)) {
     vertex_.reserve(position.size());
     for (size_t i = 0; i < position.size(); ++i)
         vertex_.push_back({position[i], normal[i]});
+    find_extents();
 }
 
 Tool::Tool(const Model& model, const Interface& interface) {
@@ -67,6 +77,7 @@ Tool::Tool(const Model& model, const Interface& interface) {
     vertex_.reserve(position.size());
     for (size_t i = 0; i < position.size(); ++i)
         vertex_.push_back({position[i], normal[i]});
+    find_extents();
 }
 
 }  // namespace type21::optimized

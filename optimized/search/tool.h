@@ -34,18 +34,29 @@ class Tool {
     }
     /// Corners as ranks of vertices.
     const std::array<int, 4>& corner(int rank) const { return corner_[static_cast<size_t>(rank)]; }
-    size_t vertices() const { return vertex_.size(); }
-    const V3& normal(int vertex) const { return vertex_[static_cast<size_t>(vertex)].normal; }
-
-    size_t bytes() const { return vertex_.capacity() * sizeof(Vertex) + corner_.capacity() * sizeof(corner_[0]); }
+    /// Largest |x_j - o| of a segment in the maximum norm, o as in LocalSegmentIn [length].
+    double extent(int rank) const { return double(extent_[static_cast<size_t>(rank)]); }
+    /// Position and normal of a corner.
+    const V3& node(int rank, int j) const { return vertex(rank, j).position; }
+    const V3& normal(int rank, int j) const { return vertex(rank, j).normal; }
+    size_t bytes() const {
+        return vertex_.capacity() * sizeof(Vertex) + corner_.capacity() * sizeof(corner_[0]) +
+               extent_.capacity() * sizeof(float);
+    }
 
   private:
     struct Vertex {
         V3 position;  ///< [length]
         V3 normal;    ///< [-]
     };
+    const Vertex& vertex(int rank, int j) const {
+        return vertex_[static_cast<size_t>(corner_[static_cast<size_t>(rank)][static_cast<size_t>(j)])];
+    }
+    void find_extents();
+
     std::vector<Vertex> vertex_;
     std::vector<std::array<int, 4>> corner_;
+    std::vector<float> extent_;  ///< rounded up
 };
 
 /// Nodal normals: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where the sum is zero.

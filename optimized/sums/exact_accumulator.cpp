@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "optimized/machine.h"
+
 namespace type21::optimized {
 
 namespace {
@@ -11,38 +13,58 @@ namespace {
 constexpr std::int64_t base = std::int64_t{1} << 32;
 
 constexpr int lanes = 8;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+
+TYPE21_INLINE void load(const double* from, Lanes& to) {
+    __builtin_memcpy(&to, from, sizeof(to));
+}
+TYPE21_INLINE void magnitude_of(Lanes& v) {
+    v = v < 0 ? -v : v;
+}
+
+/// Largest magnitude of whole groups of lanes.
+TYPE21_FOR_EACH_MACHINE
+double largest_magnitude(const double* value, int groups) {
+    Lanes most = {};
+    for (int g = 0; g < groups; ++g) {
+        Lanes v;
+        load(value + g * lanes, v);
+        magnitude_of(v);
+        most = v > most ? v : most;
+    }
+    double largest = 0;
+    for (int j = 0; j < lanes; ++j)
+        largest = most[j] > largest ? most[j] : largest;
+    return largest;
+}
 
 /// Cuts by adding and subtracting 1.5 * 2^(m + 52 - bits): what is left is the number rounded to a multiple of
 /// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers every sum below is a whole multiple of
 /// its unit with at most 41 + 11 bits: exact.
-double slice(const double* value, int n, const double (&cut)[3], double (&sum)[3]) {
-    double part[3][lanes] = {};
-    double rest[lanes] = {};
-    int i = 0;
-    for (; i + lanes <= n; i += lanes) {
-        for (int j = 0; j < lanes; ++j) {
-            double left = value[i + j];
-            for (int s = 0; s < 3; ++s) {
-                const double high = (left + cut[s]) - cut[s];
-                part[s][j] += high;
-                left -= high;
-            }
-            rest[j] += std::abs(left);
-        }
-    }
-    for (int j = 0; i < n; ++i, ++j) {
-        double left = value[i];
-        for (int s = 0; s < 3; ++s) {
-            const double high = (left + cut[s]) - cut[s];
-            part[s][j] += high;
-            left -= high;
-        }
-        rest[j] += std::abs(left);
+/// @return 0 when nothing is left below the slices
+TYPE21_FOR_EACH_MACHINE
+double slice(const double* value, int groups, const double* cut, double* sum) {
+    Lanes first = {}, second = {}, third = {}, rest = {};
+    for (int g = 0; g < groups; ++g) {
+        Lanes left, high;
+        load(value + g * lanes, left);
+        high = (left + cut[0]) - cut[0];
+        first += high;
+        left -= high;
+        high = (left + cut[1]) - cut[1];
+        second += high;
+        left -= high;
+        high = (left + cut[2]) - cut[2];
+        third += high;
+        left -= high;
+        magnitude_of(left);
+        rest += left;
     }
     double remaining = 0;
     for (int j = 0; j < lanes; ++j) {
-        for (int s = 0; s < 3; ++s)
-            sum[s] += part[s][j];
+        sum[0] += first[j];
+        sum[1] += second[j];
+        sum[2] += third[j];
         remaining += rest[j];
     }
     return remaining;
@@ -79,33 +101,23 @@ void ExactAccumulator::add(double value) {
 }
 
 void ExactAccumulator::add_block(const double* value, int n) {
-    double largest[lanes] = {};
-    int i = 0;
-    for (; i + lanes <= n; i += lanes)
-        for (int j = 0; j < lanes; ++j)
-            largest[j] = std::abs(value[i + j]) > largest[j] ? std::abs(value[i + j]) : largest[j];
-    double most = 0;
-    for (const double l : largest)
-        most = std::max(most, l);
-    for (; i < n; ++i)
-        most = std::max(most, std::abs(value[i]));
-    // NaN compares false everywhere: the sum below tells.
-    if (!(most > 0x1p-800 && most < 0x1p900) || n < lanes || n > 2048) {
-        for (int j = 0; j < n; ++j)
-            add(value[j]);
-        return;
-    }
-    const int m = std::ilogb(most) + 1;
-    const double cut[3] = {std::ldexp(1.5, m + 12), std::ldexp(1.5, m - 28), std::ldexp(1.5, m - 68)};
+    const int groups = n / lanes, whole = groups * lanes;
+    const double most = largest_magnitude(value, groups);
+    double rest = 1;
     double sum[3] = {0, 0, 0};
-    const double rest = slice(value, n, cut, sum);
-    if (rest != 0) {  // also when NaN
-        for (int j = 0; j < n; ++j)
-            add(value[j]);
-        return;
+    // NaN compares false everywhere: the rest tells.
+    if ((most == 0 || (most > 0x1p-800 && most < 0x1p900)) && n <= 2048) {
+        const int m = most == 0 ? 0 : std::ilogb(most) + 1;
+        const double cut[3] = {std::ldexp(1.5, m + 12), std::ldexp(1.5, m - 28), std::ldexp(1.5, m - 68)};
+        rest = slice(value, groups, cut, sum);
     }
-    for (const double s : sum)
-        add(s);
+    const bool sliced = rest == 0;
+    if (sliced) {
+        for (const double s : sum)
+            add(s);
+    }
+    for (int j = sliced ? whole : 0; j < n; ++j)
+        add(value[j]);
 }
 
 void ExactAccumulator::carry() {

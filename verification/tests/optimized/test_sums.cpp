@@ -54,6 +54,18 @@ TEST(ExactAccumulator, HasTheBitsOfTheExpansionInAnyOrder) {
     }
 }
 
+TEST(ExactAccumulator, KeepsWhatLiesFarBelowTheLargestOfABlock) {
+    std::vector<double> v(16, 0.0);
+    v[0] = 1;
+    v[3] = -1;
+    v[7] = 0x1p-200;
+    v[9] = 0x1p-119 * 3;
+    v[11] = -0x1p-119 * 3;
+    optimized::ExactAccumulator sum;
+    sum.add_block(v.data(), 16);
+    EXPECT_EQ(sum.value(), 0x1p-200);
+}
+
 TEST(ExactAccumulator, RoundsOnceToNearestEven) {
     const auto sum = [](std::initializer_list<double> v) {
         optimized::ExactAccumulator a;

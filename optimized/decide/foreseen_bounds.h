@@ -1,0 +1,22 @@
+/// @file Are the error bounds of filter() small for every node that a sub-triangle's core may meet?
+#pragma once
+
+#include "optimized/decide/segment.h"
+
+namespace type21::optimized {
+
+/// What a plain projection may be off by at most, where foreseen() holds; nodes for which more is needed are filtered.
+constexpr double foreseen_share = 1e-6;  ///< of weights [-], and of heights and distances as a share of the size
+
+/// Size that S of filter() does not exceed for the nodes meant here. @param extent  of the segment [length]
+inline double foreseen_size(double extent, double growth) {
+    return extent + 1.5 * growth;
+}
+
+/// True when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4 and W >= 1/2, the bounds
+/// that filter() derives are below foreseen_share: of each weight of step 2 and 3 and of H / (|N| size), |delta| /
+/// size. They grow with the numbers that they are made of, so the largest of these give the largest bounds.
+/// @param growth  largest |H| / |N| [length]
+bool foreseen(const SegmentData& segment, int k, double extent, double growth);
+
+}  // namespace type21::optimized
