@@ -37,7 +37,7 @@ Json check_json(const std::vector<CheckResult>& results) {
                        {"tolerance", result.tolerance},
                        {"unit", result.unit},
                        {"reason", result.reason},
-                       {"verdict", result.ok ? "ok" : "failed"},
+                       {"verdict", result.skipped ? "skipped" : (result.ok ? "ok" : "failed")},
                        {"detail", result.detail},
                        {"seconds", result.seconds},
                        {"version", build.version},

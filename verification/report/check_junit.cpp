@@ -43,7 +43,9 @@ std::string check_junit(const std::vector<CheckResult>& results) {
     for (const CheckResult& result : results) {
         out += fmt::format("<testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", escaped(result.case_name),
                            escaped(result.run), escaped(result.id), result.seconds);
-        if (result.ok) {
+        if (result.skipped) {
+            out += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped(result.detail));
+        } else if (result.ok) {
             out += "/>\n";
         } else {
             out += fmt::format(

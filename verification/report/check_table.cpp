@@ -28,22 +28,25 @@ std::string check_table(const std::vector<CheckResult>& results) {
     std::map<std::string, size_t> kinds;
     std::set<std::string> cases, runs;
     size_t failed = 0;
+    size_t skipped = 0;
     for (const CheckResult& result : results) {
         out += fmt::format(fmt::runtime(line), result.case_name, case_width, result.id, check_width, result.kind,
                            shortened(result.got, 18), shortened(result.expected, 18),
                            fmt::format("{:.2e}", result.difference), fmt::format("{:.1e}", result.tolerance),
-                           result.ok ? "ok" : "FAILED");
+                           result.skipped ? "skipped" : (result.ok ? "ok" : "FAILED"));
         if (!result.ok) out += fmt::format("    run {}: {}\n", result.run, result.detail);
         ++kinds[result.kind];
         cases.insert(result.case_name);
         runs.insert(result.case_name + "/" + result.run);
         failed += result.ok ? 0 : 1;
+        skipped += result.skipped ? 1 : 0;
     }
     std::string by_kind;
     for (const auto& [kind, count] : kinds)
         by_kind += fmt::format("{}{} {}", by_kind.empty() ? "" : ", ", count, kind);
-    out += fmt::format("{} checks ({}) of {} runs in {} cases: {}\n", results.size(), by_kind, runs.size(),
-                       cases.size(), failed == 0 ? "all hold" : fmt::format("{} FAILED", failed));
+    const std::string left_out = skipped == 0 ? "" : fmt::format(", {} skipped", skipped);
+    out += fmt::format("{} checks ({}) of {} runs in {} cases: {}{}\n", results.size(), by_kind, runs.size(),
+                       cases.size(), failed == 0 ? "all hold" : fmt::format("{} FAILED", failed), left_out);
     return out;
 }
 

@@ -4,9 +4,11 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "reference/model/as_built.h"
+#include "verification/record/contact_choice.h"
 #include "verification/verify/check_forms.h"
 #include "verification/verify/covers.h"
 #include "verification/verify/toml_keys.h"
@@ -64,6 +66,10 @@ void read_check(const toml::table& table, const std::string& file, Case& a_case,
     check.line = keys.line();
     check.kind = read_kind(keys);
     check.equation = keys.text_or("equation", "");
+    check.with = keys.text_or("with", "");
+    const auto& known = contact_choices();
+    if (!check.with.empty() && std::find(known.begin(), known.end(), check.with) == known.end())
+        keys.complain(keys.line("with"), fmt::format("with '{}' must be {}", check.with, fmt::join(known, " or ")));
     const std::string run = keys.text("run");
     const auto found =
         std::find_if(a_case.runs.begin(), a_case.runs.end(), [&](const CaseRun& r) { return r.name == run; });

@@ -76,6 +76,7 @@ struct CaseCheck {
     CheckKind kind = CheckKind::analytic;
     double tolerance = 0;
     std::string reason, equation, unit;
+    std::string with;  ///< the only implementation that it is asked of, empty: all
     int line = 0;
     std::variant<HistoryCheck, ValueCheck, BalanceCheck, RefusalCheck, StopCheck, DepartureCheck> form;
 };

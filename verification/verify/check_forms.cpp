@@ -74,7 +74,8 @@ ValueCheck read_value(TomlKeys& keys) {
 BalanceCheck read_balance(TomlKeys& keys) {
     BalanceCheck form{keys.text("balance"), keys.optional_integer("interface")};
     if (!form.quantity.empty() && !find_residual({}, form.quantity))
-        keys.complain(keys.line("balance"), "'balance' must be \"force\", \"power\", \"CE_DAMP\", \"CE_FRIC\" or \"heat\"");
+        keys.complain(keys.line("balance"),
+                      "'balance' must be \"force\", \"power\", \"CE_DAMP\", \"CE_FRIC\" or \"heat\"");
     return form;
 }
 

@@ -59,8 +59,14 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
             for (size_t i = 0; i < a_case.checks.size(); ++i) {
                 if (a_case.checks[i].run != tasks[t].run) continue;
                 // Each check belongs to one run: no two threads write the same entry.
-                results[tasks[t].a_case][i] = evaluate(a_case, a_case.checks[i], outcome);
-                if (!results[tasks[t].a_case][i].ok) ++report.failed;
+                CheckResult& result = results[tasks[t].a_case][i];
+                result = evaluate(a_case, a_case.checks[i], outcome);
+                const std::string& only = a_case.checks[i].with;
+                if (!only.empty() && only != with) {
+                    result.ok = result.skipped = true;
+                    result.detail = "asked of " + only + " only";
+                }
+                if (!result.ok) ++report.failed;
             }
             const std::lock_guard<std::mutex> lock(reporting);
             report.done = ++done;

@@ -91,6 +91,15 @@ TEST(CaseFile, ReadsTheSixForms) {
     EXPECT_TRUE(departure.absolute);
 }
 
+TEST(CaseFile, ACheckMayBeAskedOfOneImplementation) {
+    const std::string form = "reference = \"tool.csv\"\n";
+    const CaseFolder good(head + check(form + "with = \"reference\"\n"));
+    EXPECT_TRUE(good.problems.empty()) << good.all();
+    EXPECT_EQ(good.a_case.checks.at(0).with, "reference");
+    const CaseFolder bad(head + check(form + "with = \"abacus\"\n"));
+    EXPECT_TRUE(bad.complains("with 'abacus' must be reference or optimized")) << bad.all();
+}
+
 TEST(CaseFile, NamesFileAndLine) {
     const CaseFolder syntax(head + "[[check]\n");
     ASSERT_EQ(syntax.problems.size(), 1U);

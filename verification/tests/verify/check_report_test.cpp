@@ -53,6 +53,15 @@ TEST(CheckReport, JsonHasOneCompleteRecordACheck) {
     EXPECT_NE(build_info().flags.find("-ffp-contract=off"), std::string::npos);
 }
 
+TEST(CheckReport, WhatWasSkippedIsCountedApart) {
+    CheckResult skipped = two_results()[0];
+    skipped.skipped = true;
+    const std::string table = check_table({two_results()[0], skipped});
+    EXPECT_NE(table.find("all hold, 1 skipped"), std::string::npos) << table;
+    EXPECT_EQ(check_json({skipped})[0]["verdict"], "skipped");
+    EXPECT_NE(check_junit({skipped}).find("<skipped"), std::string::npos);
+}
+
 TEST(CheckReport, JunitIsEscaped) {
     const std::string xml = check_junit(two_results());
     EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos);
