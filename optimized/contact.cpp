@@ -221,6 +221,7 @@ void Contact::State::run(const Motion& motion, NodeContact* out, const Lean& lea
         counts.certified += w.tally.certified;
         counts.quiet += w.tally.quiet;
         counts.searched += w.tally.searched;
+        counts.fine += w.tally.fine;
         counts.whole += w.tally.whole;
     }
 }
@@ -333,7 +334,9 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
 Funnel Contact::funnel() const {
     const PathCounts& counts = state_->counts;
     Funnel funnel;
-    funnel.settled = {counts.nodes - counts.whole, 0, counts.whole};
+    // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
+    funnel.nothing_near = counts.quiet;
+    funnel.settled = {counts.certified + counts.searched - counts.fine - counts.whole, counts.fine, counts.whole};
     return funnel;
 }
 

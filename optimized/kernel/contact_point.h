@@ -16,6 +16,7 @@ inline Decision decision_of(const Retained& r) {
     d.side = r.landing.side;
     d.b = r.landing.b;
     d.c = r.landing.c;
+    d.stage = stage_of(r.settled);
     return d;
 }
 

@@ -287,6 +287,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             tally.certified += found[q].path == Path::certified;
             tally.quiet += found[q].path == Path::quiet;
             tally.searched += found[q].path == Path::searched;
+            tally.fine += found[q].retained.settled == Settled::fine;
             tally.whole += found[q].retained.settled == Settled::whole;
         }
         // All that a blank NodeContact holds is zero but for its Decision; one call for four is cheaper than four.
