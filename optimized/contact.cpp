@@ -169,7 +169,7 @@ Contact::State::First Contact::State::first_look(size_t i, const Vec3& position,
     } else {
         first.retained = laws.search->search(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules);
         if (first.retained.segment < 0) return first;
-        first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, position, pose)
+        first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, y, position, pose)
                                : contact_point(laws.tool, first.retained, pose);
     }
     first.penetration = penetration_beyond_rounding(nodes.gap[i], first.point.distance, largest(y));
