@@ -169,7 +169,7 @@ Contact::State::First Contact::State::first_look(size_t i, const Vec3& position,
     } else {
         first.retained = laws.search->search(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules);
         if (first.retained.segment < 0) return first;
-        first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, position, pose)
+        first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, y, position, pose)
                                : contact_point(laws.tool, first.retained, pose);
     }
     first.penetration = penetration_beyond_rounding(nodes.gap[i], first.point.distance, largest(y));
@@ -221,6 +221,7 @@ void Contact::State::run(const Motion& motion, NodeContact* out, const Lean& lea
         counts.certified += w.tally.certified;
         counts.quiet += w.tally.quiet;
         counts.searched += w.tally.searched;
+        counts.fine += w.tally.fine;
         counts.whole += w.tally.whole;
     }
 }
@@ -333,7 +334,9 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
 Funnel Contact::funnel() const {
     const PathCounts& counts = state_->counts;
     Funnel funnel;
-    funnel.settled = {counts.nodes - counts.whole, 0, counts.whole};
+    // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
+    funnel.nothing_near = counts.quiet;
+    funnel.settled = {counts.certified + counts.searched - counts.fine - counts.whole, counts.fine, counts.whole};
     return funnel;
 }
 

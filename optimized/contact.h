@@ -22,6 +22,7 @@ struct PathCounts {
     long certified = 0;  ///< by the core of the last sub-triangle
     long quiet = 0;      ///< by the clearance of a node that nothing takes
     long searched = 0;   ///< by the tree
+    long fine = 0;       ///< of these, settled in 100 bits
     long whole = 0;      ///< of these, settled by whole numbers
 };
 

@@ -18,6 +18,12 @@ enum class Settled {
     whole    ///< whole numbers
 };
 
+/// The stage that a report names. 100 bits with a bound are what intervals of doubles are elsewhere.
+inline Stage stage_of(Settled settled) {
+    if (settled == Settled::whole) return Stage::exact;
+    return settled == Settled::fine ? Stage::interval : Stage::bounded;
+}
+
 /// The retained impact with its magnitudes.
 struct Retained {
     int segment = -1;  ///< -1: nothing takes the node

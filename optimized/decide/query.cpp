@@ -47,6 +47,7 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
     decision.side = retained.landing.side;
     decision.b = retained.landing.b;
     decision.c = retained.landing.c;
+    decision.stage = stage_of(retained.settled);
     return decision;
 }
 

@@ -16,6 +16,7 @@ inline Decision decision_of(const Retained& r) {
     d.side = r.landing.side;
     d.b = r.landing.b;
     d.c = r.landing.c;
+    d.stage = stage_of(r.settled);
     return d;
 }
 
@@ -58,9 +59,10 @@ inline ContactPoint contact_point(const Tool& tool, const Retained& r, const Too
 }
 
 /// D12: the direction of h = P - X, with the sign of the normal interpolated at (b, c); zero where h is. As measured,
-/// it is formed with the corners brought to global axes.
+/// it is formed with the corners brought to global axes, and with weights from the projection of section 3 step by step
+/// in space: near the surface the direction is the noise of exactly these operations.
 /// @page departure D12
-ContactPoint contact_point_as_built(const Tool& tool, const Retained& retained, const Vec3& position,
+ContactPoint contact_point_as_built(const Tool& tool, const Retained& retained, const V3& y, const Vec3& position,
                                     const ToolMotion& pose);
 
 /// D31, at time 0: the distance along the normal interpolated at (b, c), P - X with it. In the tool frame.

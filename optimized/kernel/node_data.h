@@ -100,7 +100,7 @@ struct ChunkLists {
 
 /// Paths of the decisions of a chunk.
 struct PathTally {
-    long certified = 0, quiet = 0, searched = 0, whole = 0;
+    long certified = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
 };
 
 /// What one thread works with; nothing in it outlives a cycle but its memory.

@@ -187,7 +187,7 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
 
     // Section 5.
     const Vec3& position = motion.position[static_cast<size_t>(model_node)];
-    const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, retained, position, pose)
+    const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, retained, y, position, pose)
                                                 : contact_point(laws.tool, retained, pose);
     out.distance = point.distance;
     out.normal = to_vec3(point.normal);
@@ -287,6 +287,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             tally.certified += found[q].path == Path::certified;
             tally.quiet += found[q].path == Path::quiet;
             tally.searched += found[q].path == Path::searched;
+            tally.fine += found[q].retained.settled == Settled::fine;
             tally.whole += found[q].retained.settled == Settled::whole;
         }
         // All that a blank NodeContact holds is zero but for its Decision; one call for four is cheaper than four.
