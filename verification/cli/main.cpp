@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     cli::add_departures(app, code);
     cli::add_explain(app, code);
     cli::add_decide(app, code);
+    cli::add_lockstep(app, code);
     cli::add_stability(app, code);
     if (argc <= 1) {
         fmt::print(stderr, "{}", app.help());

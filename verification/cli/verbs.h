@@ -14,6 +14,7 @@ void add_verify(CLI::App& app, int& exit_code);
 void add_departures(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_decide(CLI::App& app, int& exit_code);
+void add_lockstep(CLI::App& app, int& exit_code);
 void add_stability(CLI::App& app, int& exit_code);
 
 /// The option --as-built; a set that is not one is a usage error.
