@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
     cli::add_explain(app, code);
     cli::add_decide(app, code);
     cli::add_lockstep(app, code);
+    cli::add_mutate(app, code);
     cli::add_stability(app, code);
     if (argc <= 1) {
         fmt::print(stderr, "{}", app.help());

@@ -15,6 +15,7 @@ void add_departures(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_decide(CLI::App& app, int& exit_code);
 void add_lockstep(CLI::App& app, int& exit_code);
+void add_mutate(CLI::App& app, int& exit_code);
 void add_stability(CLI::App& app, int& exit_code);
 
 /// The option --as-built; a set that is not one is a usage error.
