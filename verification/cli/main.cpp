@@ -35,6 +35,8 @@ int run(int argc, char** argv) {
     cli::add_departures(app, code);
     cli::add_explain(app, code);
     cli::add_decide(app, code);
+    cli::add_lockstep(app, code);
+    cli::add_mutate(app, code);
     cli::add_stability(app, code);
     cli::add_atlas(app, code);
     cli::add_fuzz(app, code);

@@ -14,6 +14,8 @@ void add_verify(CLI::App& app, int& exit_code);
 void add_departures(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_decide(CLI::App& app, int& exit_code);
+void add_lockstep(CLI::App& app, int& exit_code);
+void add_mutate(CLI::App& app, int& exit_code);
 void add_stability(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_fuzz(CLI::App& app, int& exit_code);

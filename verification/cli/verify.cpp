@@ -6,6 +6,7 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/lockstep/lockstep_report.h"
 #include "verification/record/contact_choice.h"
 #include "verification/report/check_report.h"
 #include "verification/verify/verify_cases.h"
@@ -16,7 +17,7 @@ namespace {
 struct Options {
     std::vector<std::string> names;
     std::string cases = "cases", scratch = "build/verify", json, junit, with = "reference";
-    bool list = false;
+    bool list = false, lockstep = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
@@ -25,6 +26,16 @@ void print_list(const std::vector<Case>& cases) {
         fmt::print("{}: {}\n", a_case.name, a_case.statement);
         for (const CaseCheck& check : a_case.checks)
             fmt::print("  {:<24} {:<10} run {}\n", check.id, name(check.kind), a_case.runs[check.run].name);
+    }
+}
+
+/// Reference and optimized side by side, a check for each run that a deck does not refuse.
+void add_lockstep_checks(const std::vector<Case>& cases, int jobs, std::vector<CheckResult>& results) {
+    for (const LockstepRecord& record : lockstep_decks(lockstep_targets(cases, {}), {jobs, {}, {}})) {
+        if (record.refused) continue;
+        const size_t slash = record.target.name.find('/');
+        results.push_back(
+            lockstep_check(record, record.target.name.substr(0, slash), record.target.name.substr(slash + 1)));
     }
 }
 
@@ -42,7 +53,8 @@ int verify(const Options& options) {
         fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
                    p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
     };
-    const std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress, options.with);
+    std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress, options.with);
+    if (options.lockstep) add_lockstep_checks(cases, options.jobs, results);
     fmt::print("{}", check_table(results));
     if (!options.json.empty()) write_report(options.json, check_json(results));
     if (!options.junit.empty()) write_report(options.junit, check_junit(results));
@@ -66,6 +78,8 @@ void add_verify(CLI::App& app, int& exit_code) {
     verb->add_option("--with", options->with, "who computes the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
+    verb->add_flag("--lockstep", options->lockstep,
+                   "step the reference and the optimized contact side by side as well: one more check a run");
     verb->add_flag("--list", options->list, "list the cases and their checks; run nothing");
     verb->callback([options, &exit_code] { exit_code = verify(*options); });
 }

@@ -109,6 +109,14 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
     return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
 }
 
+DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, const DecisionRules& rules) {
+    const reference::ShapeOf shape_of = [&](int segment) { return shape(tool, segment); };
+    const std::vector<int> segments = near(tool, query);
+    const reference::StagedImpact impact = reference::staged_impact(
+        {query.point, segments, shape_of, {query.gap, query.depth, query.reach}, rules.limits, rules.one_race});
+    return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
+}
+
 double margin(const DecisionTool& tool, const DecisionQuery& query) {
     const Question question(tool, query);
     const std::vector<int>& segments = question.segments();

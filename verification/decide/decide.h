@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/contact/exact/funnel.h"
+#include "reference/contact/projection.h"
 #include "verification/decide/query.h"
 
 namespace type21 {
@@ -27,6 +28,15 @@ DecideWith method_named(std::string_view name);
 /// @param funnel  counts, where the method has stages
 DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method,
                       Funnel* funnel = nullptr);
+
+/// The rules of a decision, for those who change one.
+struct DecisionRules {
+    reference::ProjectionLimits<double> limits;
+    bool one_race = false;  ///< D11: contact and proximity compete on kappa alone
+};
+
+/// The reference by other rules than those of the page.
+DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, const DecisionRules& rules);
 
 /// How far the node may move before another answer, to first order [length]; infinite where nothing is in reach.
 double margin(const DecisionTool& tool, const DecisionQuery& query);

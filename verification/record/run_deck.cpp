@@ -59,7 +59,12 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
                      const std::string& with) {
-    const MakeContact make = contact_maker(with);
+    return run_scene(scene, problems, folder, progress, options, contact_maker(with));
+}
+
+RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
+                     const MakeContact& make) {
     prepare_folder(folder);
     const std::vector<std::string> warnings = warnings_of(problems);
     const std::filesystem::path json = folder / "run.json";

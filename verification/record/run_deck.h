@@ -44,4 +44,9 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options = {},
                      const std::string& with = "reference");
 
+/// The same with any contact.
+RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
+                     const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
+                     const MakeContact& make);
+
 }  // namespace type21

@@ -1,0 +1,85 @@
+#include "verification/lockstep/lockstep.h"
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/lockstep/lockstep_report.h"
+#include "verification/verify/verify_cases.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> names;
+    std::string cases = "cases", as_built, json, free_runs;
+    bool as_built_given = false, quiet = false;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+};
+
+int run(const Options& options) {
+    std::vector<std::string> case_names, problems;
+    std::vector<LockstepTarget> targets;
+    for (const std::string& name : options.names) {
+        if (name.ends_with(".rad"))
+            targets.push_back({name, {name, options.as_built, name, {}}});
+        else
+            case_names.push_back(name);
+    }
+    if (!case_names.empty() || targets.empty()) {
+        const std::vector<Case> cases = read_cases(options.cases, case_names, problems);
+        for (const std::string& problem : problems)
+            fmt::print(stderr, "{}\n", problem);
+        if (!problems.empty()) return exit_deck;
+        std::optional<std::string> as_built;
+        if (options.as_built_given) as_built = options.as_built;
+        for (const LockstepTarget& target : lockstep_targets(cases, as_built))
+            targets.push_back(target);
+    }
+    size_t done = 0;
+    LockstepOptions how{options.jobs, options.free_runs, {}};
+    if (!options.quiet)
+        how.progress = [&](const LockstepRecord& record) {
+            fmt::print(stderr, "[{:>3}/{}] {} {:.2f} s{}\n", ++done, targets.size(), record.target.name, record.seconds,
+                       record.ok() ? "" : ", DIFFERS");
+        };
+    const std::vector<LockstepRecord> records = lockstep_decks(targets, how);
+    fmt::print("{}", to_text(records));
+    if (!options.json.empty()) write_report(options.json, to_json(records));
+    for (const LockstepRecord& record : records) {
+        // A deck that the user names must run; among the cases are some that must be refused.
+        if (record.refused && record.target.name.ends_with(".rad")) return exit_deck;
+        if (!record.ok()) return exit_mismatch;
+    }
+    return exit_ok;
+}
+
+}  // namespace
+
+void add_lockstep(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "lockstep", "Step reference and optimized side by side and compare every decision and force of every cycle");
+    const auto options = std::make_shared<Options>();
+    verb->add_option("NAMES", options->names, "cases, or starter decks NAME_0000.rad (default: all cases)");
+    verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
+    add_as_built(*verb, options->as_built);
+    verb->add_option("--free-runs", options->free_runs,
+                     "run both on their own as well, into this folder, and say how far their histories are apart");
+    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->add_option("--jobs", options->jobs, "runs at a time (default: the number of processors)")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag("--quiet", options->quiet, "no progress");
+    verb->footer(
+        "Cases are run with the departures that they say, or with those of --as-built ('none' for none).\n"
+        "Exit code 3 when a decision differs, or anything else by more than 4 ulps of the magnitudes that enter.");
+    verb->callback([options, verb, &exit_code] {
+        options->as_built_given = verb->count("--as-built") > 0;
+        exit_code = run(*options);
+    });
+}
+
+}  // namespace type21::cli

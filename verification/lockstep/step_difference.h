@@ -1,0 +1,32 @@
+/// @file One cycle of one interface, said by two.
+#pragma once
+
+#include "verification/lockstep/lockstep.h"
+
+namespace type21 {
+
+/// Adds the comparison of one cycle to a result.
+class StepDifference {
+  public:
+    StepDifference(const Interface& card, const Model& model, LockstepResult& result)
+        : card_(card), model_(model), result_(result) {}
+
+    void add(const ContactStep& reference, const ContactStep& other, const Motion& motion, long cycle);
+
+  private:
+    struct Scales;
+    void node(size_t i, const NodeContact& reference, const NodeContact& other, const Motion& motion, Scales& sum);
+    void sums(const ContactStep& reference, const ContactStep& other, const Scales& scale);
+    void lists(const ContactStep& reference, const ContactStep& other);
+    void add_sum(const char* which, double difference, double scale);
+    void tally(int quantity, double difference, double scale, const char* which = "");
+    void decision_differs(const std::string& what);
+
+    const Interface& card_;
+    const Model& model_;
+    LockstepResult& result_;
+    LockstepPlace place_;
+    std::vector<double> noise_;  ///< largest scale of the force since each node's contact began [force]
+};
+
+}  // namespace type21
