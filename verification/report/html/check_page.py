@@ -4,6 +4,8 @@ import json
 import re
 import sys
 from html.parser import HTMLParser
+from urllib.parse import unquote
+from xml.etree import ElementTree
 
 SECTIONS = ("verdict", "families", "cases", "hard-cases", "departures", "accuracy", "traceability", "machine")
 LOADS = {"img": "src", "script": "src", "link": "href", "iframe": "src", "object": "data", "source": "src", "video": "src", "audio": "src", "use": "href"}
@@ -33,6 +35,10 @@ class Page(HTMLParser):
         if tag == "img":
             if not values.get("alt"):
                 self.complaints.append(f"a picture near '{' '.join(self.words[-3:])}' has no alt text")
+            try:
+                ElementTree.fromstring(unquote(source.partition(",")[2]))
+            except ElementTree.ParseError as error:
+                self.complaints.append(f"the picture '{values.get('alt')}' is no SVG: {error}")
             if re.search(r"\b(nan|inf)\b", source, re.I):
                 self.complaints.append(f"the picture '{values.get('alt')}' has a nan or inf")
 

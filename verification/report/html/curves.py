@@ -10,12 +10,14 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 # Tol's muted colours: apart also for colour-blind readers.
-COLOURS = ("#332288", "#117733", "#aa4466", "#2f7fa3", "#997700", "#882255", "#44aa99", "#777777")
-FONT = "system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,sans-serif"
+COLOURS = ("#332288", "#117733", "#cc5566", "#2f93b8", "#997700", "#555555", "#44aa99", "#882255")
+# Inches of a figure: its width, left and right of the axes, above each and below the last.
+WIDE, LEFT, RIGHT, ABOVE, BELOW = 6.6, 0.62, 1.5, 0.36, 0.45
+FONT = "system-ui,Helvetica,Arial,sans-serif"
 plt.rcParams.update({
     "svg.fonttype": "none", "font.size": 9, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.titlecolor": "#333333",
     "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": "#888888", "axes.linewidth": 0.6,
-    "xtick.color": "#555555", "ytick.color": "#555555", "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.formatter.limits": (-3, 4),
+    "xtick.color": "#555555", "ytick.color": "#555555", "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.formatter.limits": (-4, 6), "axes.formatter.useoffset": False,
     "legend.frameon": False, "legend.fontsize": 8, "lines.linewidth": 1.2, "grid.color": "#e6e6e6", "grid.linewidth": 0.6, "axes.grid": True,
     "axes.axisbelow": True, "path.simplify": True, "path.simplify_threshold": 0.6,
 })
@@ -32,18 +34,43 @@ def thinned(x, y, most=500):
     return x[kept], y[kept]
 
 
-def draw_line(axes, line):
+def thousands(arrays, least=1e-3):
+    """Power of ten, a multiple of three, that values are given in; 0 while they read well as they are."""
+    top = max((float(np.abs(values).max()) for values in arrays if len(values)), default=0.0)
+    return 0 if not 0 < top < np.inf or least <= top < 1e5 else int(3 * np.floor(np.log10(top) / 3))
+
+
+def raised(power):
+    return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")) + " "
+
+
+def short(label, most=21):
+    return label if len(label) <= most else label[: most - 1] + "…"
+
+
+def draw_line(axes, line, time_factor, factor):
+    x = np.asarray(line.x) * time_factor
+    y = np.asarray(line.y) * factor
     colour = COLOURS[line.colour % len(COLOURS)]
     if line.style == "measured":
-        step = max(1, len(line.x) // 28)
-        axes.plot(line.x[::step], line.y[::step], "o", ms=3.2, mfc="white", mec=colour, mew=0.9, zorder=3)
+        step = max(1, len(x) // 28)
+        axes.plot(x[::step], y[::step], "o", ms=3.2, mfc="white", mec=colour, mew=0.9, zorder=3)
     elif line.style == "expected":
-        axes.plot(line.x, line.y, "o", ms=7, mfc="none", mec=colour, mew=1.2, zorder=4)
+        axes.plot(x, y, "o", ms=7, mfc="none", mec=colour, mew=1.2, zorder=4)
     elif line.style == "tolerance":
-        axes.plot(line.x, line.y, ":", color=colour, lw=1.2)
+        axes.plot(x, y, ":", color=colour, lw=1.2)
     else:
-        x, y = thinned(np.asarray(line.x), np.asarray(line.y))
-        axes.plot(x, y, "--" if line.style == "other" else "-", color=colour, label=line.label or None)
+        x, y = thinned(x, y)
+        axes.plot(x, y, "--" if line.style == "other" else "-", color=colour, label=short(line.label) or None)
+
+
+def one_style(found):
+    """Marks of one line repeat their style: it is said once, on their group."""
+    styles = set(re.findall(r' style="[^"]*"', found[2]))
+    if len(styles) != 1 or " style=" in found[1]:
+        return found[0]
+    style = styles.pop()
+    return f"<g{found[1]}{style}>{found[2].replace(style, '')}</g>"
 
 
 def as_svg(figure, salt):
@@ -55,21 +82,30 @@ def as_svg(figure, salt):
     text = out.getvalue()
     text = text[text.index("<svg"):]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S)
-    text = re.sub(r"(\d\.\d\d)\d+", r"\1", text)
-    text = re.sub(r"'DejaVu Sans'[^;\"]*", FONT, text)
-    return re.sub(r">\s+<", "><", text)
+    text = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d\.\d\d)\d+", r"\1", tag[0]), text)
+    text = re.sub(r"(font: [\d.]+px )[^;\"]*", rf"\1{FONT}", text)
+    text = re.sub(r"\s*\n\s*", " ", re.sub(r">\s+<", "><", text))
+    return re.sub(r"<g([^>]*)>((?:<use [^>]*/>)+)</g>", one_style, text)
 
 
 def draw(panels, time_unit, units, salt):
     """SVG of the panels over one axis of time."""
     heights = [1.25 if panel.log else 1.5 for panel in panels]
-    figure, rows = plt.subplots(len(panels), 1, figsize=(6.6, sum(heights) + 0.55 * len(panels)), sharex=True, squeeze=False,
-                                gridspec_kw={"height_ratios": heights}, layout="constrained")
-    for axes, panel in zip(rows[:, 0], panels):
+    high = sum(heights) + ABOVE * len(panels) + BELOW
+    figure = plt.figure(figsize=(WIDE, high))
+    top, shared = high, None
+    clock = thousands([line.x for panel in panels for line in panel.lines], least=0.1)
+    for panel, height in zip(panels, heights):
+        # Placed by hand: matplotlib's own layouts and titles measure every text, which takes half of the time.
+        top -= ABOVE + height
+        axes = figure.add_axes((LEFT / WIDE, top / high, (WIDE - LEFT - RIGHT) / WIDE, height / high), sharex=shared)
+        shared = shared or axes
+        axes.tick_params(labelbottom=panel is panels[-1])
+        power = 0 if panel.log else thousands([line.y for line in panel.lines])
         for line in panel.lines:
-            draw_line(axes, line)
-        unit = units.get(panel.unit, panel.unit)
-        axes.set_title(panel.title + (f" [{unit}]" if unit else ""))
+            draw_line(axes, line, 10.0 ** -clock, 10.0 ** -power)
+        unit = (raised(power) if power else "") + units.get(panel.unit, panel.unit)
+        axes.text(0, 1.05, panel.title + (f" [{unit}]" if unit else ""), transform=axes.transAxes, color="#333333", va="bottom")
         if panel.log and any(len(line.x) and line.style != "tolerance" for line in panel.lines):
             axes.set_yscale("log")
         elif panel.log:
@@ -78,5 +114,5 @@ def draw(panels, time_unit, units, salt):
         handles, labels = axes.get_legend_handles_labels()
         if handles:
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2, borderaxespad=0.3)
-    rows[-1, 0].set_xlabel(f"time [{time_unit}]")
+    axes.set_xlabel(f"time [{raised(clock) if clock else ''}{time_unit}]")
     return as_svg(figure, salt)

@@ -47,6 +47,8 @@ def sizes(case, row_id):
             return table.of(check.get("node")).value(check["column"], check["at"])
 
         beside = taken(histories.run(other, check["file"])) if other else None
+        if any(c["run"] == other and "expect_exit" in c for c in case.checks.values()):
+            beside = "refused"
         off, on = (record["got"], beside) if run in off_runs else (beside, record["got"])
         out.append({"case": case.name, "check": record["id"], "what": f"{check['column']}" + (f", node {check['node']}" if "node" in check else ""),
                     "at": check["at"], "unit": check["unit"], "off": off, "on": on, "measured": taken(histories.measured(check["file"]))})

@@ -109,6 +109,14 @@ def projection(block, query, answer):
     return [x + direction * step for x, direction in zip(p, n)]
 
 
+def times(ratio):
+    """A ratio in words; the doubles' own range does not hold every ratio of two of them."""
+    try:
+        return f"{float(ratio):.3g} times"
+    except OverflowError:
+        return f"1e{len(str(int(ratio))) - 1} times"
+
+
 class Frame:
     """Axes stretched so that a needle 1e-16 wide can be seen; what was done is said."""
 
@@ -119,7 +127,7 @@ class Frame:
         top = max(spans)
         self.spans = [span if span * 20 > top else (span * 3 if span else top) for span in spans]
         self.spans = [top if span * 20 > top else span for span in self.spans]
-        self.words = [f"{name} stretched {float(top / span):.3g} times" for name, span in zip("xyz", self.spans) if span and span != top]
+        self.words = [f"{name} stretched {times(top / span)}" for name, span in zip("xyz", self.spans) if span and span != top]
 
     def __call__(self, point):
         return np.array([float((x - low) / span) if span else 0.0 for x, low, span in zip(point, self.low, self.spans)])
@@ -176,7 +184,11 @@ def entry(program, file):
         rows = [{"exact": truth_, "double": plain_, "wrong": plain(truth_) != plain(plain_), "ours": plain(truth_) == plain(mine),
                  "stage": mine.get("stage", ""), "ulps": mine.get("margin_ulps")}
                 for truth_, plain_, mine in zip(block["answers"], double, answered["answers"], strict=True)]
-        blocks.append({"svg": svg, "stretched": words, "note": block.get("note", ""), "rows": rows})
+        # A note is one text, or one for each node.
+        note = block.get("note", "")
+        each = note if isinstance(note, list) and len(note) == len(rows) else []
+        blocks.append({"svg": svg, "stretched": words, "note": "" if each else "; ".join(note) if isinstance(note, list) else note,
+                       "notes": each, "rows": rows})
     return {"name": file.stem, "title": truth.get("title", file.stem), "what": truth.get("what", ""), "blocks": blocks}
 
 

@@ -88,7 +88,7 @@ def force_panels(histories, main_run, other_run):
                 chosen = sorted(chosen, key=lambda c: -np.abs(table[c]).max())[:1]
             for column in chosen:
                 colour = number if len(files) > 1 else columns.index(column)
-                name = column.removeprefix("CE_") if not force else ("F" + column[1:].lower())
+                name = column
                 label = f"interface {file[10:-4]} {name}" if len(files) > 1 else name
                 curve = (lambda t, c=column: rate(t, c)) if force else (lambda t, c=column: (t["time"], t[c]))
                 panel.lines.append(Line(label, *curve(table), colour))
@@ -143,7 +143,7 @@ def value_panels(histories, most=3):
                 if len(drawn) == MOST_LINES:
                     continue
                 drawn[key] = len(drawn)
-                words = [w for w in (check["run"], f"{check['file'][10:-4]}" if stem == "interface" else "",
+                words = [w for w in (check["run"], f"interface {check['file'][10:-4]}" if stem == "interface" and len(histories.interfaces(check["run"])) > 1 else "",
                                      f"node {check['node']}" if check.get("node") is not None else "") if w]
                 panel.lines.append(Line(", ".join(words), rows["time"], rows[column], drawn[key]))
             times = rows["time"]
@@ -174,7 +174,7 @@ def scaled_difference(ours, reference, record):
     return times, np.array([worst[t] for t in times])
 
 
-def difference_panel(histories):
+def difference_panel(histories, drawn):
     """Scaled differences from the measured histories, and of the optimized implementation from the reference."""
     panel = Panel("difference / largest value, and what is allowed", "-", log=True)
     colour = 0
@@ -201,19 +201,18 @@ def difference_panel(histories):
         if len(times):
             panel.lines.append(Line("", times[[0, -1]], np.full(2, record["tolerance"]), colour, "tolerance"))
         colour += 1
-    for name in histories.case.runs:
+    for name in drawn:
         for file in histories.interfaces(name):
             other = histories(histories.case.optimized_folder / name, file)
             ours = histories.run(name, file)
             if other is None or other.data.shape != ours.data.shape:
                 continue
             scale = np.maximum(np.abs(ours.data).max(axis=0, initial=0), 1e-300)
-            far = (np.abs(other.data - ours.data) / scale)[:, 1:].max(axis=1, initial=0)
             # A component that is rounding beside the others has no scale of its own.
-            units = [large(ours, group) for group in (FORCES, ENERGIES)]
-            columns = [ours.names.index(c) for group in units for c in group]
-            if columns:
-                far = (np.abs(other.data - ours.data) / scale)[:, columns].max(axis=1)
+            columns = [ours.names.index(c) for group in (FORCES, ENERGIES) for c in large(ours, group)]
+            if not columns:
+                continue
+            far = (np.abs(other.data - ours.data) / scale)[:, columns].max(axis=1, initial=0)
             panel.lines.append(Line(f"optimized, {name}", ours["time"][far > 0], far[far > 0], colour))
             notes.append(float(far.max(initial=0)))
             colour += 1
@@ -228,8 +227,10 @@ def panels_of(case):
         return [], [], None
     main_run = next((name for name in done if case.runs[name].get("as_built", "") == "all"), done[0])
     other_run = next((name for name in ("page", *done) if name in done and name != main_run), "")
+    values = value_panels(histories)
     panels = force_panels(histories, main_run, other_run)
-    panels += temperature_panel(histories, main_run, other_run)
-    panels += value_panels(histories)
-    differences, optimized = difference_panel(histories)
+    if any(panel.title.endswith(ENERGIES) for panel in values):
+        panels = [panel for panel in panels if panel.title != "energy"]  # it is among the values
+    panels += temperature_panel(histories, main_run, other_run) + values
+    differences, optimized = difference_panel(histories, [name for name in (main_run, other_run) if name])
     return panels + differences, [main_run, other_run] if other_run else [main_run], optimized

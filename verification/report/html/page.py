@@ -70,7 +70,7 @@ def family_figures(groups, store):
             group["figure"], group["note"] = "", ""
             continue
         key = digest(pictures.CODE, repr(points))
-        group["figure"] = store.get(f"family-{group['id']}", key, lambda g=group, p=points: pictures.draw_family(g["title"], p, g["id"]))
+        group["figure"] = store.get(f"family-{group['id']}", key, lambda g=group, p=points: pictures.draw_family(p, g["id"]))
         over = sum(part > 1 for part in shares)
         worst = max(((part, name) for name, row in points for _, part in row))
         group["note"] = (f"{words.plural(len(shares), 'check')} of {words.plural(len(points), 'case')}: "

@@ -50,7 +50,7 @@ def draw_case(case, program):
     return out
 
 
-def draw_family(title, groups, salt):
+def draw_family(groups, salt):
     """Difference as a share of the tolerance for each check of a family, one row a case."""
     import curves
     import matplotlib.pyplot as plt
@@ -68,6 +68,5 @@ def draw_family(title, groups, salt):
     axes.set_ylim(len(groups) - 0.4, -0.6)
     axes.set_yticks(range(len(groups)), [name for name, _ in groups])
     axes.set_xlabel("difference / tolerance (a check holds left of 1)")
-    axes.set_title(title)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return curves.as_svg(figure, salt)

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+import words
+
 # Seen from (-1, -1, 1): to the right x - y, upward z and half of x + y; deeper is larger.
 RIGHT = np.array([1.0, -1.0, 0.0]) / np.sqrt(2)
 UP = np.array([1.0, 1.0, 2.0]) / np.sqrt(6)
@@ -55,6 +57,19 @@ def polygons(view, nodes, segments, side):
         yield depth, f'<polygon class="{side}" points="{points}"/>'
 
 
+def in_order(view, nodes, secondary, main):
+    """Shapes from back to front. Sheets that touch cannot be sorted piece by piece: the side that is behind where both are
+    seen goes first as a whole, and the one in front lets it shine through."""
+    middle = lambda segments: np.array([np.mean([nodes[corner] for corner in segment], axis=0) for segment in segments])
+    blank, tool = middle(secondary), middle(main)
+    flat = [np.stack([points @ RIGHT, points @ UP], axis=1) for points in (blank, tool)]
+    nearest = np.linalg.norm(flat[0][:, None] - flat[1][None, :], axis=2).argmin(axis=1)
+    tool_in_front = np.mean(tool[nearest] @ DEEP - blank @ DEEP) < 0
+    sides = [(secondary, "blank"), (main, "tool" if tool_in_front else "tool back")]
+    return [shape for segments, name in (sides if tool_in_front else sides[::-1])
+            for _, shape in sorted(polygons(view, nodes, segments, name), key=lambda s: -s[0])]
+
+
 def arrow(view, start, way):
     """Where the tool goes; not to scale when that would be too short or too long to see."""
     direction = np.array([way @ RIGHT, -(way @ UP)])
@@ -78,7 +93,7 @@ def triad(view):
     return "".join(out)
 
 
-STYLE = (".blank{fill:#9dbcd4;stroke:#3f6e91}.tool{fill:#d9c9a8;stroke:#8c7440;fill-opacity:.62}"
+STYLE = (".blank{fill:#9dbcd4;stroke:#3f6e91}.tool{fill:#d9c9a8;stroke:#8c7440;fill-opacity:.5}.back{fill-opacity:1}"
          "polygon{stroke-width:.6;stroke-linejoin:round}.way{stroke:#222;stroke-width:1.8}.axis{stroke:#777}"
          "text{font:11px system-ui,sans-serif;fill:#555}")
 
@@ -99,7 +114,7 @@ def draw(found, rbody):
     nodes, secondary, main, summary = found
     used = sorted({corner for segment in (*secondary, *main) for corner in segment})
     view = View([nodes[corner] for corner in used])
-    shapes = sorted([*polygons(view, nodes, main, "tool"), *polygons(view, nodes, secondary, "blank")], key=lambda s: -s[0])
+    shapes = in_order(view, nodes, secondary, main)
     way, turn = way_of_tool(rbody)
     corners = sorted({corner for segment in main for corner in segment})
     line, note = arrow(view, np.mean([nodes[corner] for corner in corners], axis=0), way)
@@ -113,7 +128,7 @@ def draw(found, rbody):
     svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {view.height:.0f}" width="{WIDTH}" height="{view.height:.0f}">'
            f'<style>{STYLE}</style><defs><marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="6" markerHeight="6" '
            f'orient="auto"><path d="M0,0 L8,4 L0,8 z" fill="#222"/></marker></defs>'
-           f'{"".join(shape for _, shape in shapes)}{line}{triad(view)}</svg>')
-    caption = (f"Blank (blue) of {len(secondary)} segments, tool (sand) of {len(main)}, {size[0]:.4g} × {size[1]:.4g} × {size[2]:.4g} "
+           f'{"".join(shapes)}{line}{triad(view)}</svg>')
+    caption = (f"Blank (blue) of {words.plural(len(secondary), 'segment')}, tool (sand) of {len(main)}, {size[0]:.4g} × {size[1]:.4g} × {size[2]:.4g} "
                f"{length}" + ("; " + ", ".join(moves) if moves else "") + ".")
     return {"svg": svg, "caption": caption}

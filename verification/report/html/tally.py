@@ -34,18 +34,16 @@ def over_runs(runs):
     for run in runs:
         total["cycles"] += run["cycles"]
         total["stopped"] += run["status"] != "completed"
-        touched = 0
-        for interface in run["interfaces"]:
-            total["interfaces"] += 1
-            contact = interface.get("contact")
-            if contact:
-                total["cycles_in_contact"] += contact["cycles_in_contact"]
-                total["in_contact"] += contact["most_in_contact"]
-                total["nodes"] += contact["secondary_nodes"]
-                touched += contact["most_in_contact"]
-            if "decisions" in interface:
-                add_funnel(total["funnel"], interface["decisions"])
-        total["without_contact"] += touched == 0
+        if "results" not in run:
+            raise ValueError(f"the run.json of {run['run_name']} has no results")
+        total["interfaces"] += len(run["results"])
+        for result in run["results"]:
+            contact = result["contact"]
+            total["cycles_in_contact"] += contact["cycles_in_contact"]
+            total["in_contact"] += contact["most_in_contact"]
+            total["nodes"] += contact["secondary_nodes"]
+            add_funnel(total["funnel"], result["decisions"])
+        total["without_contact"] += all(result["contact"]["most_in_contact"] == 0 for result in run["results"])
     total["funnel"]["decided"] = sum(total["funnel"]["settled"].values())
     return total
 
