@@ -12,6 +12,7 @@ namespace {
 
 struct Options {
     std::string deck, as_built, json;
+    bool geometry = false;
 };
 
 int check(const Options& options) {
@@ -26,7 +27,11 @@ int check(const Options& options) {
     for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
         zero.push_back(time_zero(scene, static_cast<int>(i)));
     fmt::print("{}", check_text(scene, zero));
-    if (!options.json.empty()) write_report(options.json, check_json(scene, zero, prepared.problems));
+    if (!options.json.empty()) {
+        nlohmann::ordered_json json = check_json(scene, zero, prepared.problems);
+        if (options.geometry) json["geometry"] = geometry_json(scene);
+        write_report(options.json, json);
+    }
     return exit_ok;
 }
 
@@ -38,7 +43,8 @@ void add_check(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
     add_as_built(*verb, options->as_built);
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    CLI::Option* json = verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->add_flag("--geometry", options->geometry, "put nodes and segments into the JSON as well")->needs(json);
     verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -18,6 +18,10 @@ std::string check_text(const Scene& scene, const std::vector<TimeZero>& zero);
 /// The same, with every initial penetration.
 nlohmann::ordered_json check_json(const Scene& scene, const std::vector<TimeZero>& zero, const Problems& problems);
 
+/// What can be drawn of the deck at time 0: `nodes` as [id, x, y, z] [length], and for each interface its `secondary`
+/// and `main` segments as lists of 3 or 4 node ids.
+nlohmann::ordered_json geometry_json(const Scene& scene);
+
 /// `{"valid": false, "problems": [...]}` of a deck that is refused.
 nlohmann::ordered_json refused_json(const std::string& deck, const Problems& problems);
 

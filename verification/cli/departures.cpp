@@ -1,14 +1,36 @@
+#include <memory>
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "reference/model/as_built.h"
+#include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
 
 namespace type21::cli {
 
+namespace {
+
+nlohmann::ordered_json departures_json() {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const DepartureRow& row : departures())
+        out.push_back({{"id", name(row.id)},
+                       {"available", row.available},
+                       {"page", row.page},
+                       {"as_built", row.as_built},
+                       {"reason", row.reason}});
+    return out;
+}
+
+}  // namespace
+
 void add_departures(CLI::App& app, int&) {
     CLI::App* verb = app.add_subcommand(
         "departures", "Where the public OpenRadioss does something else than the page: what --as-built takes");
-    verb->callback([] {
+    const auto json = std::make_shared<std::string>();
+    verb->add_option("--json", *json, "write the same as JSON to this file");
+    verb->callback([json] {
+        if (!json->empty()) write_report(*json, departures_json());
         for (const DepartureRow& row : departures()) {
             fmt::print("{}  {}\n     page      {}\n     as built  {}\n", name(row.id),
                        row.available ? "available" : "not available", row.page, row.as_built);

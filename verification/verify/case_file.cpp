@@ -101,6 +101,11 @@ std::string_view name(CheckKind kind) {
     return "";
 }
 
+const std::vector<std::string>& case_families() {
+    static const std::vector<std::string> families = {"patch test", "sliding continuity", "friction law", "Pmax limit"};
+    return families;
+}
+
 Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
     Case a_case;
     a_case.folder = folder;
@@ -125,6 +130,11 @@ Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
             top.complain(
                 top.line("covers"),
                 fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D37'", cover));
+    a_case.family = top.text_or("family", "");
+    if (!a_case.family.empty() &&
+        std::find(case_families().begin(), case_families().end(), a_case.family) == case_families().end())
+        top.complain(top.line("family"),
+                     fmt::format("family '{}' must be one of: {}", a_case.family, fmt::join(case_families(), ", ")));
     read_runs(top, file, a_case, problems);
     for (const toml::table* check : top.tables("check"))
         read_check(*check, file, a_case, problems);

@@ -17,6 +17,9 @@ enum class CheckKind { analytic, exact, external, cross, regression };
 
 std::string_view name(CheckKind kind);
 
+/// The families that the report shows first: "patch test", "sliding continuity", "friction law", "Pmax limit".
+const std::vector<std::string>& case_families();
+
 struct CaseRun {
     std::string name;
     std::string as_built;
@@ -86,6 +89,7 @@ struct Case {
     std::filesystem::path folder;
     std::string statement, source;
     std::vector<std::string> features;
+    std::string family;               ///< one of case_families(), empty: none
     std::vector<std::string> covers;  ///< rows of the traceability table that the case shows
     std::vector<CaseRun> runs;
     std::vector<CaseCheck> checks;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +31,25 @@ TEST(Check, PrintsFieldsUnitsAndEffects) {
     EXPECT_GE(penetrations[0]["penetration"], penetrations[44]["penetration"]);
     // Twenty on the screen, all in the file.
     EXPECT_NE(outcome.out.find("and 25 more"), std::string::npos);
+}
+
+TEST(Check, GivesNodesAndSegmentsWhenAsked) {
+    TempFolder folder;
+    const auto deck = test::cases() / "cylinder_slide/cylinder_slide_0000.rad";
+    const std::string command = "check " + test::in_quotes(deck) + " --geometry";
+    EXPECT_EQ(test::type21(command).code, 1) << "--geometry without --json";
+    ASSERT_EQ(test::type21(command + " --json " + test::in_quotes(folder / "check.json")).code, 0);
+    const auto json = nlohmann::json::parse(test::read_text(folder / "check.json"))["geometry"];
+    // Node 20001 as the deck has it; 144 tool quads, 32 of the blank.
+    const auto& nodes = json["nodes"];
+    ASSERT_EQ(nodes.size(), 217U);
+    const auto node = std::find_if(nodes.begin(), nodes.end(), [](const auto& row) { return row[0] == 20001; });
+    ASSERT_NE(node, nodes.end());
+    EXPECT_EQ(*node, nlohmann::json({20001, -15.666538192549668, -8.0, 7.567800634586712}));
+    const auto& sides = json["interfaces"][0];
+    EXPECT_EQ(sides["main"].size(), 144U);
+    EXPECT_EQ(sides["secondary"].size(), 32U);
+    EXPECT_EQ(sides["secondary"][0].size(), 4U);
 }
 
 TEST(Check, NeedsNoEngineDeck) {

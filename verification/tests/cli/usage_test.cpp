@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "verification/tests/cli/program.h"
 
@@ -25,6 +26,26 @@ TEST(Usage, HelpAndVersionAreNoErrors) {
     const Outcome version = test::type21("--version");
     EXPECT_EQ(version.code, 0);
     EXPECT_TRUE(version.out.starts_with("type21 ")) << version.out;
+}
+
+TEST(Usage, DeparturesAsJsonSayWhatTheTextSays) {
+    TempFolder folder;
+    const Outcome outcome = test::type21("departures --json " + test::in_quotes(folder / "d.json"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto rows = nlohmann::json::parse(test::read_text(folder / "d.json"));
+    ASSERT_EQ(rows.size(), 37U);
+    size_t unavailable = 0;
+    for (const auto& row : rows) {
+        EXPECT_NE(outcome.out.find(row["id"].get<std::string>() + "  " +
+                                   (row["available"] == true ? "available" : "not available")),
+                  std::string::npos)
+            << row;
+        EXPECT_NE(outcome.out.find(row["as_built"].get<std::string>()), std::string::npos) << row;
+        EXPECT_NE(outcome.out.find(row["page"].get<std::string>()), std::string::npos) << row;
+        unavailable += row["available"] == false ? 1 : 0;
+        EXPECT_EQ(row["available"] == true, row["reason"] == "") << row;
+    }
+    EXPECT_GE(unavailable, 1U);
 }
 
 TEST(Usage, AWrongCommandLineIsExitOneWithAWord) {

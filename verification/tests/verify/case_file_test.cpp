@@ -45,6 +45,17 @@ std::string check(const std::string& form, const std::string& common = "toleranc
     return "[[check]]\nid = \"c\"\nrun = \"a\"\nkind = \"EXTERNAL\"\n" + common + form;
 }
 
+TEST(CaseFile, FamilyIsOneOfTheFourOrAbsent) {
+    const std::string rest = head + check("balance=\"force\"\n");
+    EXPECT_EQ(CaseFolder(rest).a_case.family, "");
+    const CaseFolder patch("family = \"patch test\"\n" + rest);
+    EXPECT_TRUE(patch.problems.empty()) << patch.all();
+    EXPECT_EQ(patch.a_case.family, "patch test");
+    const CaseFolder wrong("family = \"patch\"\n" + rest);
+    EXPECT_TRUE(wrong.complains("case.toml:1: ")) << wrong.all();
+    EXPECT_TRUE(wrong.complains("family 'patch' must be one of: patch test, sliding continuity")) << wrong.all();
+}
+
 TEST(CaseFile, ReadsTheSixForms) {
     const CaseFolder folder(
         head + "[[run]]\nname = \"b\"\n" +

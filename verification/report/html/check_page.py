@@ -1,0 +1,87 @@
+"""Whether a page is whole: links lead somewhere, nothing comes from outside, no number is nan, every case has its sheet."""
+
+import json
+import re
+import sys
+from html.parser import HTMLParser
+from urllib.parse import unquote
+from xml.etree import ElementTree
+
+SECTIONS = ("verdict", "families", "cases", "hard-cases", "departures", "accuracy", "traceability", "machine")
+LOADS = {"img": "src", "script": "src", "link": "href", "iframe": "src", "object": "data", "source": "src", "video": "src", "audio": "src", "use": "href"}
+VOID = {"meta", "img", "br", "hr", "input", "link", "source", "col"}
+
+
+class Page(HTMLParser):
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.ids, self.links, self.complaints, self.open, self.words = [], [], [], [], []
+        self.feed(text)
+        self.close()
+        if self.open:
+            self.complaints.append(f"<{self.open[-1]}> is not closed")
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if tag not in VOID:
+            self.open.append(tag)
+        if "id" in values:
+            self.ids.append(values["id"])
+        if tag == "a":
+            self.links.append(values.get("href") or "")
+        source = values.get(LOADS.get(tag, ""), "")
+        if source and not source.startswith("data:"):
+            self.complaints.append(f"<{tag}> loads {source[:80]} from outside")
+        if tag == "img":
+            if not values.get("alt"):
+                self.complaints.append(f"a picture near '{' '.join(self.words[-3:])}' has no alt text")
+            try:
+                ElementTree.fromstring(unquote(source.partition(",")[2]))
+            except ElementTree.ParseError as error:
+                self.complaints.append(f"the picture '{values.get('alt')}' is no SVG: {error}")
+            if re.search(r"\b(nan|inf)\b", source, re.I):
+                self.complaints.append(f"the picture '{values.get('alt')}' has a nan or inf")
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.complaints.append(f"</{tag}> at line {self.getpos()[0]} closes nothing")
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] == "style" and re.search(r"@import|url\(\s*['\"]?(?!data:|#)", data):
+            self.complaints.append("the style sheet loads something from outside")
+        if self.open and self.open[-1] not in ("style", "script") and data.strip():
+            self.words.append(data.strip())
+
+
+def complaints_of(text, records):
+    page = Page(text)
+    out = list(page.complaints)
+    ids = set(page.ids)
+    out += [f"the id '{name}' is there twice" for name in sorted(ids) if page.ids.count(name) > 1]
+    for link in page.links:
+        if not link.startswith("#"):
+            out.append(f"the link '{link}' leads outside")
+        elif link[1:] not in ids:
+            out.append(f"the link '{link}' leads nowhere")
+    out += [f"the section '{name}' is missing" for name in SECTIONS if name not in ids]
+    out += [f"the case '{name}' has no sheet" for name in sorted({record["case"] for record in records}) if f"case-{name}" not in ids]
+    shown = set(page.words)
+    for record in records:
+        if record["id"] not in shown:
+            out.append(f"the check '{record['id']}' of {record['case']} is not shown")
+    for word in page.words:
+        # Numbers that are none; a case or a test may have the letters in its name.
+        if re.search(r"(?<![\w.])[-−+]?(nan|inf)(?![\w.])", word, re.I) or "Undefined" in word or "{{" in word:
+            out.append(f"the text '{word[:80]}' has a nan or an unfilled place")
+    return out
+
+
+def main(page, results):
+    if not page.is_file() or not results.is_file():
+        print(f"error: {page if not page.is_file() else results} is not there", file=sys.stderr)
+        return 1
+    found = complaints_of(page.read_text(), json.loads(results.read_text()))
+    for line in found[:40]:
+        print(f"error: {page.name}: {line}", file=sys.stderr)
+    print(f"report: {page}: {'in order' if not found else f'{len(found)} complaints'}")
+    return 3 if found else 0

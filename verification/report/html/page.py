@@ -1,0 +1,135 @@
+"""The page: everything gathered, pictures drawn where needed, templates filled."""
+
+import os
+import platform
+from concurrent.futures import ProcessPoolExecutor
+from datetime import datetime, timezone
+from pathlib import Path
+
+import jinja2
+from markupsafe import Markup
+
+import accuracy
+import departures
+import hard_cases
+import pictures
+import tally
+import words
+from sources import read_json
+from store import digest
+
+HERE = Path(__file__).resolve().parent
+FAMILIES = (
+    ("patch test", "Patch tests", "What arrives where: the force of a pressed patch, node by node, on flat, inclined and curved tools."),
+    ("sliding continuity", "Sliding continuity", "Nodes pass from sub-triangle to sub-triangle and from segment to segment: the force must not jump."),
+    ("friction law", "Friction laws", "Each law over pressure and speed, stick and slip, filters, incline and capstan."),
+    ("Pmax limit", "Pmax limits", "The plateau of a sheet that thickens under a pressure limit, its energy, and the tangential limit."),
+)
+
+
+def draw_cases(cases, store, options):
+    """Pictures by case name; only those whose inputs changed are drawn, in processes of their own."""
+    keys = {case.name: pictures.key(case) for case in cases}
+    found = {case.name: store.find(f"case-{case.name}", keys[case.name]) for case in cases}
+    todo = [case for case in cases if found[case.name] is None]
+    if todo:
+        print(f"report: drawing {words.plural(len(todo), 'case')}, {options.jobs} at a time", flush=True)
+        with ProcessPoolExecutor(max_workers=max(1, options.jobs)) as pool:
+            for case, drawn in zip(todo, pool.map(pictures.draw_case, todo, [options.type21] * len(todo), chunksize=2)):
+                found[case.name] = store.keep(f"case-{case.name}", keys[case.name], drawn)
+    return found
+
+
+def note_on_curves(case, drawn):
+    """What the curves are, and in one sentence what they say."""
+    if not drawn["curves"]:
+        return "No run of this case writes histories."
+    runs = drawn["runs"]
+    text = f"Lines: run {runs[0]}"
+    text += f"; dashed: run {runs[1]} where it differs" if len(runs) > 1 and drawn["other"] else f" (run {runs[1]} looks the same)" if len(runs) > 1 else ""
+    text += "; circles: measured" if drawn["measured"] else ""
+    text += "; rings: expected values" if drawn["expected"] else ""
+    text += "; dotted: tolerance" if drawn["tolerance"] else ""
+    histories = [record for record in case.records if record.get("columns")]
+    if histories:
+        worst = max(histories, key=lambda record: record["difference"] if isinstance(record["difference"], (int, float)) else 0)
+        column = max(worst["columns"], key=lambda c: c["scaled"] if isinstance(c["scaled"], (int, float)) else 0)
+        text += (f". Largest difference from the measured histories: {words.small(worst['difference'])} of the column's largest value, "
+                 f"in {column['column']} at time {words.number(column['time'], 6)} (check {worst['id']}, tolerance {words.small(worst['tolerance'])})")
+    if drawn["optimized"] is not None:
+        text += f". Largest difference of the optimized implementation from the reference: {words.small(drawn['optimized'])}"
+    return text + "."
+
+
+def family_figures(groups, store):
+    for group in groups:
+        points = [(case.name, [(r["kind"], tally.share(r)) for r in case.records if tally.share(r) is not None]) for case in group["cases"]]
+        points = [row for row in points if row[1]]
+        shares = [part for _, row in points for _, part in row]
+        if not shares:
+            group["figure"], group["note"] = "", ""
+            continue
+        key = digest(pictures.CODE, repr(points))
+        group["figure"] = store.get(f"family-{group['id']}", key, lambda g=group, p=points: pictures.draw_family(p, g["id"]))
+        over = sum(part > 1 for part in shares)
+        worst = max(((part, name) for name, row in points for _, part in row))
+        group["note"] = (f"{words.plural(len(shares), 'check')} of {words.plural(len(points), 'case')}: "
+                         + ("all left of 1" if not over else f"{over} right of 1, which fail")
+                         + f"; the closest to its limit, in {worst[1]}, uses {words.percent(worst[0], 1)} of its tolerance.")
+
+
+def grouped(cases):
+    """The four families, then the rest."""
+    groups = [{"id": f"family-{name.replace(' ', '-')}", "title": title, "about": about, "cases": [c for c in cases if c.family == name]}
+              for name, title, about in FAMILIES]
+    rest = [case for case in cases if case.family not in {name for name, *_ in FAMILIES}]
+    return groups, rest
+
+
+def machine(sources, runs):
+    """Of the runs, as they say it themselves, and of the report."""
+    def values(name, rows):
+        return sorted({str(row[name]) for row in rows if row.get(name)})
+
+    rows = [(title, values(name, sources.records)) for title, name in (("version", "version"), ("commit", "commit"), ("compiler", "compiler"), ("processor", "cpu"))]
+    rows += [(title, values(name, runs)) for title, name in (("flags", "flags"), ("build", "build_type"))]
+    made = datetime.fromtimestamp(sources.options.results.stat().st_mtime, timezone.utc)
+    rows.append(("results of", [made.strftime("%Y-%m-%d %H:%M UTC")]))
+    rows.append(("report made on", [f"{platform.system()} {platform.machine()}, {words.plural(os.cpu_count() or 1, 'processor')}, Python {platform.python_version()}"]))
+    return [(title, found) for title, found in rows if found]
+
+
+def optimized_runs(cases):
+    """run.json of the optimized implementation, where it was run."""
+    found = (read_json(case.optimized_folder / run / "run.json") for case in cases for run in case.runs)
+    return [run for run in found if run is not None]
+
+
+def make(sources, store, options):
+    cases = sources.cases
+    drawn = draw_cases(cases, store, options)
+    groups, rest = grouped(cases)
+    family_figures(groups, store)
+    runs = [run for case in cases for run in case.run_json.values()]
+    fast_runs = optimized_runs(cases)
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
+                                     trim_blocks=True, lstrip_blocks=True)
+    environment.filters.update(number=words.number, small=words.small, picture=words.picture)
+    environment.globals.update(percent=words.percent, plural=words.plural, share=tally.share)
+    failed = [record for record in sources.records if record["verdict"] == "failed"]
+    text = environment.get_template("page.html.j2").render(
+        records=sources.records, cases=cases, rest=rest, groups=groups, drawn=drawn, not_run=sources.not_run, failed=failed,
+        skipped=sum(record["verdict"] not in ("ok", "failed") for record in sources.records),
+        kinds=tally.by_kind(sources.records), total=tally.over_runs(runs), fast=tally.over_runs(fast_runs) if fast_runs else None,
+        nearest=tally.nearest(sources.records), mutation=tally.mutation(sources.beside("mutation.json")),
+        notes={case.name: note_on_curves(case, drawn[case.name]) for case in cases},
+        families=hard_cases.families(options.type21, options.cases / "decisions", store),
+        atlas=hard_cases.atlas(options.type21, options.cases / "atlas", store),
+        departures=departures.table(options.type21, cases), accuracy=accuracy.section(sources.beside("bench.json"), store),
+        trace=sources.beside("traceability.json"), machine=machine(sources, runs),
+        style=Markup((HERE / "templates/style.css").read_text()),
+        script=Markup((HERE / "templates/page.js").read_text()))
+    store.forget_the_rest()
+    part = options.out.with_suffix(".part")
+    part.write_text(text)
+    os.replace(part, options.out)
