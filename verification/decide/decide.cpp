@@ -110,10 +110,11 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
 }
 
 DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, const DecisionRules& rules) {
-    const reference::ShapeOf shape_of = [&](int segment) { return shape(tool, segment); };
-    const std::vector<int> segments = near(tool, query);
-    const reference::StagedImpact impact = reference::staged_impact(
-        {query.point, segments, shape_of, {query.gap, query.depth, query.reach}, rules.limits, rules.one_race});
+    const Question question(tool, query);
+    reference::DecisionInput input = question.input();
+    input.limits = rules.limits;
+    input.one_race = rules.one_race;
+    const reference::StagedImpact impact = staged_impact(input);
     return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
 }
 
