@@ -20,10 +20,10 @@ from store import digest
 
 HERE = Path(__file__).resolve().parent
 FAMILIES = (
-    ("patch test", "Patch tests", "What arrives where: the force of a pressed patch, node by node, on flat, inclined and curved tools."),
+    ("patch test", "Patch tests", "A pressed patch: which force arrives at which node, and in which direction."),
     ("sliding continuity", "Sliding continuity", "Nodes pass from sub-triangle to sub-triangle and from segment to segment: the force must not jump."),
-    ("friction law", "Friction laws", "Each law over pressure and speed, stick and slip, filters, incline and capstan."),
-    ("Pmax limit", "Pmax limits", "The plateau of a sheet that thickens under a pressure limit, its energy, and the tangential limit."),
+    ("friction law", "Friction laws", "The coefficient of each law, stick and slip, and the filters of the friction force."),
+    ("Pmax limit", "Pmax limits", "A sheet that thickens under a pressure limit: its force, its energy, and the tangential limit."),
 )
 
 
