@@ -25,7 +25,7 @@ DecisionTally answer(const std::filesystem::path& path, DecideWith method) {
 
 TEST(Truth, TheReferenceAnswersEveryQueryExactly) {
     const auto files = truth_files();
-    ASSERT_EQ(files.size(), 14u);
+    ASSERT_EQ(files.size(), 15u);
     long compared = 0;
     long wrong_in_double = 0;
     for (const auto& file : files) {
@@ -34,7 +34,7 @@ TEST(Truth, TheReferenceAnswersEveryQueryExactly) {
         compared += tally.compared;
         wrong_in_double += tally.funnel.double_wrong;
     }
-    EXPECT_EQ(compared, 1400);
+    EXPECT_EQ(compared, 1405);
     EXPECT_GT(wrong_in_double, 0) << "else the queries are not hard";
 }
 
