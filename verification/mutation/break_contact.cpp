@@ -119,6 +119,11 @@ std::function<bool(const Scene&, int)> has_effect(Effect effect) {
     return [=](const Scene& scene, int interface) { return scene.has(interface, effect); };
 }
 
+bool own_step(const Scene& scene, int) {
+    const EngineControl& engine = scene.model->engine;
+    return !engine.largest_step || engine.first_step != engine.largest_step;
+}
+
 std::function<bool(const Scene&, int)> has_card(std::function<bool(const Interface&)> such) {
     return [=](const Scene& scene, int interface) {
         return such(scene.model->interfaces[static_cast<size_t>(interface)]);

@@ -28,6 +28,8 @@ BreakContact forgetful();
 
 /// Whether the interface computes the effect.
 std::function<bool(const Scene&, int)> has_effect(Effect effect);
+/// Whether the scene's step is not given by /DTIX alone.
+bool own_step(const Scene& scene, int interface);
 /// Whether the interface's card is such.
 std::function<bool(const Scene&, int)> has_card(std::function<bool(const Interface&)> such);
 

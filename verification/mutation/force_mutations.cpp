@@ -229,7 +229,7 @@ std::vector<Mutation> force_mutations() {
         {"step_stiffness_off",
          "time step, k + C/dt1",
          "the nodes' share of the time step is missing",
-         always,
+         own_step,
          broken_step([](const Scene&, int) {
              return [](ContactStep& step, const Motion&) {
                  for (NodeContact& node : step.nodes)

@@ -89,7 +89,7 @@ std::vector<Mutation> tool_mutations() {
         {"tool_step_off",
          "time step of the tool",
          "the contact does not limit the tool's step",
-         always,
+         own_step,
          broken_sums([](ContactStep& s) { s.tool.step_stiffness = s.tool.step_rotation = 0; }),
          {}},
         {"node_dropped",
