@@ -210,7 +210,10 @@ inline FilterResult filter_in(const V3& p, const SegmentData& segment, const Loc
     landing.kappa = leading(kappa);
     landing.normal = rounded(na * a1 + nb * b1 + nc * c1);
     landing.lift = leading(lift);
-    if (kind == Kind::none) landing.height = leading(height) / std::sqrt(leading(d2)) * (1 + 2 * too_coarse);
+    if (kind == Kind::none)
+        landing.height =
+            std::copysign((std::abs(leading(height)) + height_bound) / std::sqrt(leading(d2)) * (1 + 2 * too_coarse),
+                          leading(height));
     landing.innermost = std::min(leading(a1), std::min(leading(b1), leading(c1))) - db;
     landing.weight_bound = q_bound + 2 * 0x1p-53;
     landing.kappa_bound = 4.1 * q_bound + 12 * 0x1p-53;

@@ -22,7 +22,7 @@ struct Landing {
     double kappa = 0;         ///< [-]
     V3 normal;                ///< n, not of unit length
     double lift = 0;          ///< H / <n, N>: delta = lift |n| [length / |n|]
-    double height = 0;        ///< H / |N|, for `beyond` only, 1e-4 too large in magnitude [length]
+    double height = 0;        ///< for `beyond` only: a bound of |H| / |N|, with the sign of H [length]
     double innermost = 0;     ///< smallest of the weights of step 2, less its bound; 0 where it was not formed [-]
     double weight_bound = 0;  ///< |computed - exact| of b, c and, doubled, of a [-]
     double kappa_bound = 0;   ///< |computed - exact| of kappa [-]

@@ -48,18 +48,24 @@ Prism prism(const SegmentData& s, int k, const Limits& limits) {
     p.high = limits.outward;
     p.growth = std::max(limits.outward, limits.inward);
     p.margin = limits.margin;
-    const V3 e1 = p.corner[1] - p.corner[0], e2 = p.corner[2] - p.corner[0];
+    // Edges from coordinates relative to one corner: a distant origin does not matter to them.
+    std::array<V3, 4> local;
+    for (size_t j = 0; j < 4; ++j)
+        local[j] = s.node[j] - s.node[0];
+    const V3 center = s.triangle ? local[2] : mean(local);
+    const V3 e1 = local[static_cast<size_t>(of.b)] - center, e2 = local[static_cast<size_t>(of.c)] - center;
     double size = 0, far = 0;
-    for (const V3& x : s.node) {
-        size = std::max(size, largest(x - p.corner[0]));
-        far = std::max(far, largest(x));
+    for (size_t j = 0; j < 4; ++j) {
+        size = std::max(size, largest(local[j] - center));
+        far = std::max(far, largest(s.node[j]));
     }
     p.slack = 1e-7 * (size + p.growth) + 1e-13 * far;
     p.grown = true;
     const V3 area = cross(e1, e2);
     const double length = norm(area);
-    // The error of a corner is 2^-53 far for the centre: relative to the size it counts like one of the size.
-    if (!(48 * 0x1p-53 * (size + far * 0x1p-20) * size < coarsest * length)) return p;
+    // With u = 2^-53 and S the size: a local corner is off by 2 u S, their mean by 4 u S, an edge by 7 u S, a component
+    // of the cross product by 32 u S^2, and N by sqrt(3) times that.
+    if (!(64 * 0x1p-53 * size * size < coarsest * length)) return p;
     p.axis = area * (1 / length);
     std::array<double, 3> slope{};
     for (size_t i = 0; i < 3; ++i) {

@@ -21,8 +21,9 @@ struct Limits {
 /// move along straight lines as h grows.
 /// It satisfies, too, |P - T| < max(outward, inward), T the closed triangle, since the clipped point lies in T. Where
 /// the first statement says little (slivers, normals that lean far) the second alone is used: "grown".
-/// All is computed in double; slack covers its rounding: the relative error of N is below 1e-11 here (else grown), no
-/// slope is below 0.05, so positions are off by less than 1e-8 of the size.
+/// All is computed in double; slack covers its rounding: the relative error of N is below 1e-11 here (else grown; edges
+/// are formed from one corner, so that a distant origin does not matter), no slope is below 0.05, so positions are off
+/// by less than 1e-8 of the size.
 struct Prism {
     bool grown = false;
     std::array<V3, 3> corner;   ///< A, B, C [length]

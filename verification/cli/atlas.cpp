@@ -54,7 +54,7 @@ void add_atlas(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<Options>();
     verb->add_option("NAMES", options->names, "entries (default: all)");
     verb->add_option("--folder", options->folder, "where the entries are")->capture_default_str();
-    verb->add_option("--with", options->with, "reference, exact, double: who answers")
+    verb->add_option("--with", options->with, "reference, optimized, exact, double: who answers")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
     verb->add_option("--json", options->json, "write every entry with its geometry and all answers to this file");

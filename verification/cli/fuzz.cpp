@@ -96,7 +96,7 @@ void add_fuzz(CLI::App& app, int& exit_code) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     verb->add_option("--seed", options->fuzz.seed, "another seed asks other questions")->capture_default_str();
-    verb->add_option("--with", options->with, "reference, exact, double: what is put to the test")
+    verb->add_option("--with", options->with, "reference, optimized, exact, double: what is put to the test")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
     verb->add_option("--jobs", options->fuzz.jobs, "threads (default: the number of processors)")

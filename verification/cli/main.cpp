@@ -26,7 +26,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 done, 1 wrong command line or unusable folder, 2 the deck has errors,\n"
-        "3 histories differ or a check failed, 4 the run stopped or diverged, or an internal error.");
+        "3 histories or decisions differ, or a check failed, 4 the run stopped or diverged, or an internal error.");
     int code = cli::exit_ok;
     cli::add_check(app, code);
     cli::add_run(app, code);

@@ -27,11 +27,11 @@ DecisionFile read(const fs::path& file) {
 }
 
 TEST(ExactAnswers, the_reference_gives_every_one) {
-    ASSERT_EQ(truth().size(), 14U);
+    ASSERT_EQ(truth().size(), 15U);
     for (const fs::path& file : truth()) {
         DecisionFile decisions = read(file);
         const DecisionTally tally = answer_all(decisions, DecideWith::reference);
-        EXPECT_EQ(tally.compared, 100) << file;
+        EXPECT_GE(tally.compared, 5) << file;
         EXPECT_TRUE(tally.different.empty()) << file << ": " << tally.different[0];
     }
 }
@@ -51,7 +51,7 @@ TEST(ExactAnswers, plain_double_misses_some) {
         DecisionFile decisions = read(file);
         wrong += answer_all(decisions, DecideWith::plain).different.size();
     }
-    EXPECT_GT(wrong, 14U);  // 1 % of 1400
+    EXPECT_GT(wrong, 15U);  // 1 % of 1405
 }
 
 }  // namespace
