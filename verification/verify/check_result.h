@@ -18,7 +18,7 @@ struct CheckResult {
     double tolerance = 0;
     std::string unit, reason;
     bool ok = false;
-    bool skipped = false;  ///< not asked of the implementation that ran; ok, and counted apart
+    bool skipped = false;               ///< not asked of the implementation that ran; ok, and counted apart
     double seconds = 0;                 ///< of the run
     std::string detail;                 ///< where the largest difference is, or what went wrong
     std::vector<ColumnResult> columns;  ///< of a whole history
