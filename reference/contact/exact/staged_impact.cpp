@@ -134,7 +134,7 @@ StagedImpact staged_impact(const DecisionInput& input, Funnel* funnel) {
         }
     }
     const Stage stage = stages.stage();
-    const StagedImpact decided = result(best, stage, magnitudes(input, best, stages));
+    StagedImpact decided = result(best, stage, magnitudes(input, best, stages));
     if (funnel != nullptr) {
         ++funnel->settled[static_cast<size_t>(stage)];
         funnel->seconds[0] += seconds_since(start) - (funnel->seconds[1] + funnel->seconds[2] - later);
