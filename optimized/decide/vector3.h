@@ -45,8 +45,4 @@ inline V3 from(const Vec3& v) {
 inline Vec3 to_vec3(const V3& v) {
     return {v.x, v.y, v.z};
 }
-inline bool finite(const V3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace type21::optimized

@@ -1,7 +1,5 @@
 #include "verification/decide/decide.h"
 
-#include <chrono>
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>

@@ -1,15 +1,14 @@
 #include "verification/lockstep/lockstep_decks.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "verification/record/run_deck.h"
+#include "verification/verify/in_parallel.h"
 
 namespace type21 {
 
@@ -84,21 +83,12 @@ std::vector<LockstepTarget> lockstep_targets(const std::vector<Case>& cases,
 
 std::vector<LockstepRecord> lockstep_decks(const std::vector<LockstepTarget>& targets, const LockstepOptions& options) {
     std::vector<LockstepRecord> records(targets.size());
-    std::atomic<size_t> next{0};
     std::mutex reporting;
-    const auto work = [&] {
-        for (size_t t = next++; t < targets.size(); t = next++) {
-            records[t] = step_one(targets[t], options.free_runs);
-            const std::lock_guard<std::mutex> lock(reporting);
-            if (options.progress) options.progress(records[t]);
-        }
-    };
-    std::vector<std::thread> pool;
-    for (size_t i = 1; i < std::min(static_cast<size_t>(std::max(options.jobs, 1)), targets.size()); ++i)
-        pool.emplace_back(work);
-    work();
-    for (std::thread& thread : pool)
-        thread.join();
+    in_parallel(targets.size(), options.jobs, [&](size_t t) {
+        records[t] = step_one(targets[t], options.free_runs);
+        const std::lock_guard<std::mutex> lock(reporting);
+        if (options.progress) options.progress(records[t]);
+    });
     return records;
 }
 

@@ -1,16 +1,15 @@
 #include "verification/mutation/score.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "verification/decide/decision_json.h"
 #include "verification/record/contact_choice.h"
 #include "verification/verify/evaluate.h"
+#include "verification/verify/in_parallel.h"
 
 namespace type21 {
 
@@ -46,21 +45,6 @@ CaseOutcome outcome_of(const SoundRun& one, const fs::path& folder, const MakeCo
     }
     outcome.seconds = since(start);
     return outcome;
-}
-
-/// Work in the order of a list, by several threads.
-void in_parallel(size_t count, int jobs, const std::function<void(size_t item)>& work) {
-    std::atomic<size_t> next{0};
-    const auto loop = [&] {
-        for (size_t i = next++; i < count; i = next++)
-            work(i);
-    };
-    std::vector<std::thread> pool;
-    for (int i = 1; i < jobs; ++i)
-        pool.emplace_back(loop);
-    loop();
-    for (std::thread& thread : pool)
-        thread.join();
 }
 
 std::vector<SoundRun> sound_runs(const std::vector<Case>& cases, const ScoreOptions& options) {

@@ -1,14 +1,13 @@
 #include "verification/verify/verify_cases.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "verification/verify/evaluate.h"
+#include "verification/verify/in_parallel.h"
 #include "verification/verify/run_case.h"
 
 namespace type21 {
@@ -47,39 +46,29 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
             tasks.push_back({c, r});
     }
 
-    std::atomic<size_t> next{0};
     std::mutex reporting;
     size_t done = 0;
-    const auto work = [&] {
-        for (size_t t = next++; t < tasks.size(); t = next++) {
-            const Case& a_case = cases[tasks[t].a_case];
-            const CaseRun& run = a_case.runs[tasks[t].run];
-            const CaseOutcome outcome = run_case(run, scratch / a_case.name / run.name, with);
-            VerifyProgress report{0, tasks.size(), a_case.name, run.name, outcome.seconds, 0};
-            for (size_t i = 0; i < a_case.checks.size(); ++i) {
-                if (a_case.checks[i].run != tasks[t].run) continue;
-                // Each check belongs to one run: no two threads write the same entry.
-                CheckResult& result = results[tasks[t].a_case][i];
-                result = evaluate(a_case, a_case.checks[i], outcome);
-                const std::string& only = a_case.checks[i].with;
-                if (!only.empty() && only != with) {
-                    result.ok = result.skipped = true;
-                    result.detail = "asked of " + only + " only";
-                }
-                if (!result.ok) ++report.failed;
+    in_parallel(tasks.size(), jobs, [&](size_t t) {
+        const Case& a_case = cases[tasks[t].a_case];
+        const CaseRun& run = a_case.runs[tasks[t].run];
+        const CaseOutcome outcome = run_case(run, scratch / a_case.name / run.name, with);
+        VerifyProgress report{0, tasks.size(), a_case.name, run.name, outcome.seconds, 0};
+        for (size_t i = 0; i < a_case.checks.size(); ++i) {
+            if (a_case.checks[i].run != tasks[t].run) continue;
+            // Each check belongs to one run: no two threads write the same entry.
+            CheckResult& result = results[tasks[t].a_case][i];
+            result = evaluate(a_case, a_case.checks[i], outcome);
+            const std::string& only = a_case.checks[i].with;
+            if (!only.empty() && only != with) {
+                result.ok = result.skipped = true;
+                result.detail = "asked of " + only + " only";
             }
-            const std::lock_guard<std::mutex> lock(reporting);
-            report.done = ++done;
-            if (progress) progress(report);
+            if (!result.ok) ++report.failed;
         }
-    };
-    std::vector<std::thread> pool;
-    const auto count = static_cast<size_t>(std::max(jobs, 1));
-    for (size_t i = 1; i < std::min(count, tasks.size()); ++i)
-        pool.emplace_back(work);
-    work();
-    for (std::thread& thread : pool)
-        thread.join();
+        const std::lock_guard<std::mutex> lock(reporting);
+        report.done = ++done;
+        if (progress) progress(report);
+    });
 
     std::vector<CheckResult> flat;
     for (std::vector<CheckResult>& of_case : results)

@@ -24,7 +24,7 @@ class Expression {
         }
     }
 
-    /// @param accept  called with each divisor; false skips the division
+    /// @param accept  called with the step and the divisor of each division; false skips it
     template <class Number, class Accept>
     std::vector<Number> values(Accept accept) const {
         std::vector<Number> known;
@@ -44,7 +44,7 @@ class Expression {
                     known.push_back(a * b);
                     break;
                 default:
-                    known.push_back(accept(i) ? a / b : a);
+                    known.push_back(accept(i, b) ? a / b : a);
             }
         }
         return known;
@@ -54,27 +54,10 @@ class Expression {
     template <class Number>
     std::vector<bool> possible() const {
         std::vector<bool> possible(steps_.size(), true);
-        std::vector<Number> known;
-        for (const double operand : operands_)
-            known.push_back(Number(operand));
-        for (size_t i = 0; i < steps_.size(); ++i) {
-            const Number a = known[steps_[i].a];
-            const Number b = known[steps_[i].b];
-            if (steps_[i].kind == 3) possible[i] = b.sign() != 0;
-            switch (steps_[i].kind) {
-                case 0:
-                    known.push_back(a + b);
-                    break;
-                case 1:
-                    known.push_back(a - b);
-                    break;
-                case 2:
-                    known.push_back(a * b);
-                    break;
-                default:
-                    known.push_back(possible[i] ? a / b : a);
-            }
-        }
+        values<Number>([&](size_t i, const Number& divisor) {
+            possible[i] = divisor.sign() != 0;
+            return bool(possible[i]);
+        });
         return possible;
     }
 

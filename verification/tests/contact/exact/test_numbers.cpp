@@ -27,7 +27,7 @@ TEST(Fraction, IsExactInRandomExpressions) {
     for (unsigned seed = 0; seed < trials; ++seed) {
         const Expression expression(seed, 5, 14, 40);
         const auto possible = expression.possible<Fraction>();
-        const auto accept = [&](size_t i) { return bool(possible[i]); };
+        const auto accept = [&](size_t i, const auto&) { return bool(possible[i]); };
         const auto ours = expression.values<Fraction>(accept);
         const auto theirs = expression.values<Rational>(accept);
         for (size_t i = 0; i < ours.size(); ++i) {
@@ -74,7 +74,7 @@ TEST(Bounded, ItsBoundHoldsInRandomExpressions) {
     for (unsigned seed = 0; seed < trials; ++seed) {
         const Expression expression(seed, 5, 12, 6);
         const auto possible = expression.possible<Fraction>();
-        const auto accept = [&](size_t i) { return bool(possible[i]); };
+        const auto accept = [&](size_t i, const auto&) { return bool(possible[i]); };
         const auto exact = expression.values<Rational>(accept);
         try {
             const auto ours = expression.values<Bounded>(accept);
@@ -110,7 +110,7 @@ TEST(Interval, HoldsTheExactValue) {
     for (unsigned seed = 0; seed < trials; ++seed) {
         const Expression expression(seed, 5, 12, 6);
         const auto possible = expression.possible<Fraction>();
-        const auto accept = [&](size_t i) { return bool(possible[i]); };
+        const auto accept = [&](size_t i, const auto&) { return bool(possible[i]); };
         const auto ours = expression.values<Interval>(accept);
         const auto exact = expression.values<Rational>(accept);
         for (size_t i = 0; i < ours.size(); ++i)
