@@ -1,0 +1,1 @@
+// The headers that every test begins with are precompiled here, once for all test programs.
