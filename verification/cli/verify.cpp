@@ -17,7 +17,7 @@ namespace {
 struct Options {
     std::vector<std::string> names;
     std::string cases = "cases", scratch = "build/verify", json, junit, with = "reference";
-    bool list = false, lockstep = false;
+    bool list = false, lockstep = false, keep = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
@@ -50,10 +50,12 @@ int verify(const Options& options) {
         return exit_ok;
     }
     const auto progress = [](const VerifyProgress& p) {
-        fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
+        fmt::print(stderr, "[{:>3}/{}] {}/{} {}{}\n", p.done, p.of, p.case_name, p.run,
+                   p.kept ? "kept" : fmt::format("{:.2f} s", p.seconds),
                    p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
     };
-    std::vector<CheckResult> results = verify_cases(cases, options.scratch, options.jobs, progress, options.with);
+    std::vector<CheckResult> results =
+        verify_cases(cases, options.scratch, options.jobs, progress, options.with, options.keep);
     if (options.lockstep) add_lockstep_checks(cases, options.jobs, results);
     fmt::print("{}", check_table(results));
     if (!options.json.empty()) write_report(options.json, check_json(results));
@@ -78,6 +80,8 @@ void add_verify(CLI::App& app, int& exit_code) {
     verb->add_option("--with", options->with, "who computes the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
+    verb->add_flag("--keep", options->keep,
+                   "do not run again what has held before, where case, program and results are the same as then");
     verb->add_flag("--lockstep", options->lockstep,
                    "step the reference and the optimized contact side by side as well: one more check a run");
     verb->add_flag("--list", options->list, "list the cases and their checks; run nothing");

@@ -40,6 +40,7 @@ Json check_json(const std::vector<CheckResult>& results) {
                        {"verdict", result.skipped ? "skipped" : (result.ok ? "ok" : "failed")},
                        {"detail", result.detail},
                        {"seconds", result.seconds},
+                       {"kept", result.kept},
                        {"version", build.version},
                        {"commit", build.commit},
                        {"compiler", build.compiler},

@@ -26,7 +26,7 @@ std::string check_table(const std::vector<CheckResult>& results) {
     std::string out = fmt::format(fmt::runtime(line), "case", case_width, "check", check_width, "kind", "got",
                                   "expected", "difference", "tolerance", "verdict");
     std::map<std::string, size_t> kinds;
-    std::set<std::string> cases, runs;
+    std::set<std::string> cases, runs, kept;
     size_t failed = 0;
     size_t skipped = 0;
     for (const CheckResult& result : results) {
@@ -38,6 +38,7 @@ std::string check_table(const std::vector<CheckResult>& results) {
         ++kinds[result.kind];
         cases.insert(result.case_name);
         runs.insert(result.case_name + "/" + result.run);
+        if (result.kept) kept.insert(result.case_name + "/" + result.run);
         failed += result.ok ? 0 : 1;
         skipped += result.skipped ? 1 : 0;
     }
@@ -47,6 +48,9 @@ std::string check_table(const std::vector<CheckResult>& results) {
     const std::string left_out = skipped == 0 ? "" : fmt::format(", {} skipped", skipped);
     out += fmt::format("{} checks ({}) of {} runs in {} cases: {}{}\n", results.size(), by_kind, runs.size(),
                        cases.size(), failed == 0 ? "all hold" : fmt::format("{} FAILED", failed), left_out);
+    if (!kept.empty())
+        out += fmt::format("{} of the runs were kept: their case and the program are the same as when they were run\n",
+                           kept.size());
     return out;
 }
 

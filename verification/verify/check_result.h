@@ -19,6 +19,7 @@ struct CheckResult {
     std::string unit, reason;
     bool ok = false;
     bool skipped = false;               ///< not asked of the implementation that ran; ok, and counted apart
+    bool kept = false;                  ///< from an earlier run: nothing that it depends on has changed
     double seconds = 0;                 ///< of the run
     std::string detail;                 ///< where the largest difference is, or what went wrong
     std::vector<ColumnResult> columns;  ///< of a whole history

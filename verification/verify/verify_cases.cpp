@@ -6,12 +6,42 @@
 
 #include <fmt/format.h>
 
+#include "verification/verify/digest.h"
 #include "verification/verify/evaluate.h"
 #include "verification/verify/in_parallel.h"
+#include "verification/verify/kept_checks.h"
 #include "verification/verify/run_case.h"
 
 namespace type21 {
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Of all that the checks of each case depend on, but for the name of the run: the program, who computes, the files.
+std::vector<std::string> keys_of(const std::vector<Case>& cases, const std::string& with) {
+    const std::string program = digest_of("/proc/self/exe");
+    std::vector<std::string> keys;
+    for (const Case& a_case : cases)
+        keys.push_back(fmt::format("{} {} {}", program, with, digest_of(a_case.folder)));
+    return keys;
+}
+
+std::vector<CheckResult> checks_of(const Case& a_case, size_t run, const CaseOutcome& outcome,
+                                   const std::string& with) {
+    std::vector<CheckResult> results;
+    for (const CaseCheck& check : a_case.checks) {
+        if (check.run != run) continue;
+        CheckResult result = evaluate(a_case, check, outcome);
+        if (!check.with.empty() && check.with != with) {
+            result.ok = result.skipped = true;
+            result.detail = "asked of " + check.with + " only";
+        }
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+}  // namespace
 
 std::vector<Case> read_cases(const fs::path& root, const std::vector<std::string>& names,
                              std::vector<std::string>& problems) {
@@ -34,7 +64,7 @@ std::vector<Case> read_cases(const fs::path& root, const std::vector<std::string
 
 std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::path& scratch, int jobs,
                                       const std::function<void(const VerifyProgress&)>& progress,
-                                      const std::string& with) {
+                                      const std::string& with, bool keep) {
     struct Task {
         size_t a_case = 0, run = 0;
     };
@@ -48,21 +78,26 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
 
     std::mutex reporting;
     size_t done = 0;
+    const std::vector<std::string> keys = keep ? keys_of(cases, with) : std::vector<std::string>(cases.size());
     in_parallel(tasks.size(), jobs, [&](size_t t) {
         const Case& a_case = cases[tasks[t].a_case];
         const CaseRun& run = a_case.runs[tasks[t].run];
-        const CaseOutcome outcome = run_case(run, scratch / a_case.name / run.name, with);
-        VerifyProgress report{0, tasks.size(), a_case.name, run.name, outcome.seconds, 0};
+        const fs::path folder = scratch / a_case.name / run.name;
+        const std::string key = digest_of_text(keys[tasks[t].a_case] + " " + run.name);
+        std::optional<std::vector<CheckResult>> checks = keep ? kept_checks(folder, key) : std::nullopt;
+        VerifyProgress report{0, tasks.size(), a_case.name, run.name, 0, 0, checks.has_value()};
+        if (!checks) {
+            const CaseOutcome outcome = run_case(run, folder, with);
+            report.seconds = outcome.seconds;
+            checks = checks_of(a_case, tasks[t].run, outcome, with);
+            if (keep) keep_checks(folder, key, *checks);
+        }
+        size_t next = 0;
         for (size_t i = 0; i < a_case.checks.size(); ++i) {
             if (a_case.checks[i].run != tasks[t].run) continue;
             // Each check belongs to one run: no two threads write the same entry.
             CheckResult& result = results[tasks[t].a_case][i];
-            result = evaluate(a_case, a_case.checks[i], outcome);
-            const std::string& only = a_case.checks[i].with;
-            if (!only.empty() && only != with) {
-                result.ok = result.skipped = true;
-                result.detail = "asked of " + only + " only";
-            }
+            result = std::move(checks->at(next++));
             if (!result.ok) ++report.failed;
         }
         const std::lock_guard<std::mutex> lock(reporting);

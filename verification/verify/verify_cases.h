@@ -21,14 +21,16 @@ struct VerifyProgress {
     std::string case_name, run;
     double seconds = 0;
     size_t failed = 0;  ///< checks of this run
+    bool kept = false;  ///< not run again
 };
 
 /// Runs everything in scratch/<case>/<run>, `jobs` runs at a time.
 /// @param with      who computes the contact, one of contact_choices()
+/// @param keep      a run whose checks held and whose case, program and results are the same as then is not run again
 /// @param progress  called after each run, never twice at the same time
 /// @return the results in the order of the cases and their checks, whatever the number of jobs
 std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const std::filesystem::path& scratch, int jobs,
                                       const std::function<void(const VerifyProgress&)>& progress,
-                                      const std::string& with = "reference");
+                                      const std::string& with = "reference", bool keep = false);
 
 }  // namespace type21
