@@ -10,10 +10,13 @@
 
 namespace type21 {
 
+/// A node whose margin is smaller is near a border: about 1e-10 of its coordinates.
+inline constexpr double near_border_ulps = 1e6;
+
 struct DecisionTally {
     long queries = 0;
     long contact = 0, proximity = 0;
-    long near_border = 0;                ///< margin below 1e6 ulps of the coordinates: about 1e-10 of them
+    long near_border = 0;                ///< margin below near_border_ulps
     long compared = 0;                   ///< answers that the file brought along
     std::vector<std::string> different;  ///< "block 0, query 3: segment 7 ..., the file says ..."
     Funnel funnel;

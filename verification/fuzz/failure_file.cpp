@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "reference/contact/exact/bounded.h"
 #include "reference/contact/exact/judged.h"
 #include "verification/decide/decision_json.h"
 #include "verification/decide/decision_text.h"
@@ -66,15 +65,8 @@ nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::strin
 std::string every_answer(const DecisionTool& tool, const DecisionQuery& query) {
     const Question question(tool, query);
     const reference::DecisionInput& input = question.input();
-    const auto by_bound = [&](const auto& shape, int segment, int k) -> std::optional<reference::Judged> {
-        try {
-            const auto impact = reference::impact_in<reference::Bounded>(input, shape, segment, k);
-            const double kappa = impact.kappa.value();
-            const double error = 2 * impact.kappa.error();
-            return judged(impact, kappa - error, kappa + error);
-        } catch (const reference::Undecided&) {
-            return std::nullopt;
-        }
+    const auto by_bound = [&](const auto& shape, int segment, int k) {
+        return reference::judged_by_bound(input, shape, segment, k);
     };
     const auto by_interval = [&](const auto& shape, int segment, int k) {
         return reference::judged_by_interval(input, shape, segment, k);
@@ -89,6 +81,7 @@ std::string every_answer(const DecisionTool& tool, const DecisionQuery& query) {
     line("interval", in_words(race(question, by_interval)));
     line("rational numbers", in_words(decide(tool, query, DecideWith::exact)));
     line("reference", fmt::format("{}; settled by {}", in_words(staged), name(staged.stage)));
+    line("optimized", in_words(decide(tool, query, DecideWith::optimized)));
     line("second opinion", in_words(second_opinion(tool, query)));
     const double how_far = margin(tool, query);
     line("margin", fmt::format("{:.3g} [length], {:.3g} ulps", how_far, in_ulps(how_far, query.point)));

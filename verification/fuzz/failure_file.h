@@ -19,7 +19,7 @@ namespace type21 {
 nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::string& family, const FuzzOptions& options);
 
 /// One query in the words of every arithmetic: plain double, double with a bound, intervals, rational numbers, in
-/// stages, the second opinion. A line each.
+/// stages, the optimized contact, the second opinion. A line each.
 std::string every_answer(const DecisionTool& tool, const DecisionQuery& query);
 
 }  // namespace type21

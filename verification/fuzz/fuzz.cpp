@@ -1,18 +1,16 @@
 #include "verification/fuzz/fuzz.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
-#include <thread>
 
+#include "verification/decide/decision_text.h"
 #include "verification/fuzz/judgement.h"
+#include "verification/verify/in_parallel.h"
 
 namespace type21 {
 
 namespace {
-
-constexpr double near_border_ulps = 1e6;
 
 void add(FuzzTally& sum, const FuzzTally& part, size_t keep) {
     sum.decisions += part.decisions;
@@ -67,27 +65,15 @@ FuzzTally fuzz(const Family& family, const FuzzOptions& options, const std::func
     const long blocks = (options.count + queries_per_block - 1) / queries_per_block;
     FuzzTally sum;
     sum.family = family.name;
-    std::atomic<long> next{0};
-    std::atomic<int> working{options.jobs};
     std::mutex lock;
-    const auto work = [&] {
-        FuzzTally mine;
-        for (long b = next++; b < blocks; b = next++)
-            add(mine, ask(family, options, static_cast<std::uint64_t>(b), options.count - b * queries_per_block),
-                options.keep);
+    long done = 0;
+    in_parallel(static_cast<size_t>(blocks), options.jobs, [&](size_t b) {
+        const long before = static_cast<long>(b) * queries_per_block;
+        const FuzzTally part = ask(family, options, b, options.count - before);
         const std::lock_guard guard(lock);
-        add(sum, mine, options.keep);
-        --working;
-    };
-    std::vector<std::jthread> threads;
-    threads.reserve(static_cast<size_t>(options.jobs));
-    for (int i = 0; i < options.jobs; ++i)
-        threads.emplace_back(work);
-    while (working > 0) {
-        progress(std::min(1.0, static_cast<double>(next) / static_cast<double>(blocks)));
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    threads.clear();
+        add(sum, part, options.keep);
+        progress(static_cast<double>(++done) / static_cast<double>(blocks));
+    });
     sum.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return sum;
 }

@@ -44,7 +44,7 @@ struct FuzzTally {
     double seconds = 0;                 ///< wall time [s]
 };
 
-/// @param progress  called now and then by the calling thread with the share done, 0 to 1
+/// @param progress  called often with the share done, 0 to 1; never twice at the same time
 FuzzTally fuzz(const Family& family, const FuzzOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace type21

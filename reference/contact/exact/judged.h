@@ -55,6 +55,10 @@ Judged judged(const Impact<Number>& impact, double kappa_low, double kappa_high)
     return {impact.kind, impact.segment, impact.triangle, impact.side, kappa_low, kappa_high};
 }
 
+/// By doubles with a bound of their error. Nothing where the bound cannot tell.
+std::optional<Judged> judged_by_bound(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
+                                      int k);
+
 /// Nothing where the intervals overlap. Compiled on its own, since it changes the rounding mode while it computes.
 std::optional<Judged> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
                                          int k);

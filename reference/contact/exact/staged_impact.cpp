@@ -24,12 +24,7 @@ class Stages {
     Stages(const DecisionInput& input, Funnel* funnel) : input_(input), funnel_(funnel) {}
 
     Judged judge(const SegmentShape<double>& shape, int segment, int k) {
-        try {
-            const auto impact = impact_in<Bounded>(input_, shape, segment, k);
-            const Bounded& kappa = impact.kappa;
-            return judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
-        } catch (const Undecided&) {
-        }
+        if (const auto answer = judged_by_bound(input_, shape, segment, k)) return *answer;
         if (const auto answer = judge_by_interval(shape, segment, k)) return *answer;
         const auto& impact = exact(segment, k);
         const auto [low, high] = impact.kappa.enclosure();
@@ -116,6 +111,17 @@ bool same(const StagedImpact& one, const StagedImpact& other) {
 }
 
 }  // namespace
+
+std::optional<Judged> judged_by_bound(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
+                                      int k) {
+    try {
+        const auto impact = impact_in<Bounded>(input, shape, segment, k);
+        const Bounded& kappa = impact.kappa;
+        return judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
+    } catch (const Undecided&) {
+        return std::nullopt;
+    }
+}
 
 StagedImpact staged_impact(const DecisionInput& input, Funnel* funnel) {
     if (input.segments.empty()) {
