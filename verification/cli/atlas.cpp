@@ -26,7 +26,7 @@ int show(const Options& options) {
 
     nlohmann::ordered_json json;
     json["with"] = options.with;
-    json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
+    json["program"] = program_name();
     json["entries"] = nlohmann::ordered_json::array();
     size_t queries = 0;
     size_t wrong = 0;

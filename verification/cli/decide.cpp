@@ -33,7 +33,7 @@ int decide_file(const Options& options) {
     const DecisionTally tally = answer_all(file, method_named(options.with));
     nlohmann::ordered_json json = to_json(file);
     json["with"] = options.with;
-    json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
+    json["program"] = program_name();
     json["funnel"] = to_json(tally.funnel);
     if (options.out.empty()) {
         fmt::print("{}\n", json.dump(1));

@@ -75,7 +75,7 @@ int run_fuzz(Options options) {
     fmt::print("{}", to_text(tallies, options.fuzz));
     if (!options.json.empty()) {
         nlohmann::ordered_json json = to_json(tallies, options.fuzz);
-        json["program"] = fmt::format("type21 {} ({})", build_info().version, build_info().commit);
+        json["program"] = program_name();
         write_report(options.json, json);
     }
     if (different == 0) return exit_ok;

@@ -73,7 +73,8 @@ void add_mutate(CLI::App& app, int& exit_code) {
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     verb->add_option("--scratch", options->scratch, "folder for the runs; what they write is removed")
         ->capture_default_str();
-    verb->add_option("--with", options->with, "who computes the contact that is broken")
+    verb->add_option("--with", options->with,
+                     "who computes the contact that is broken; mutations of a decision break the reference always")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_option("--json", options->json, "write one record a mutation to this file");

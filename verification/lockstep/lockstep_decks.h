@@ -23,12 +23,11 @@ struct LockstepRecord {
     LockstepResult result;
     bool refused = false;         ///< the deck has errors: nothing was run
     std::string error;            ///< the first of them, or an internal error
-    std::string exception;        ///< why forces are not judged; empty: they are
     std::optional<double> apart;  ///< free runs: largest difference of a history relative to its scale [-]
     std::string apart_where;      ///< file and column of it
     double seconds = 0;           ///< of wall time
 
-    /// The decisions are the same and, where they are judged, forces within lockstep_ulps. A refused deck is not wrong.
+    /// The decisions are the same, all else within lockstep_ulps. A refused deck is not wrong.
     bool ok() const;
 };
 
@@ -45,8 +44,5 @@ std::vector<LockstepTarget> lockstep_targets(const std::vector<Case>& cases,
 
 /// In the order of the targets, whatever the number of jobs.
 std::vector<LockstepRecord> lockstep_decks(const std::vector<LockstepTarget>& targets, const LockstepOptions& options);
-
-/// Why the forces of a scene are not judged; empty for all but the scenes named in known_exceptions.cpp.
-std::string known_exception(const Scene& scene);
 
 }  // namespace type21

@@ -86,23 +86,12 @@ std::string to_text(const std::vector<LockstepRecord>& records) {
         if (!record.ok()) {
             ++bad;
             text += fmt::format("{}: DIFFERS: {}\n  {}\n", record.target.name, trouble(record), counts(record.result));
-        } else if (!record.exception.empty()) {
-            text += fmt::format("{}: decisions only: {}\n", record.target.name, record.exception);
         }
         if (record.apart.value_or(-1) > apart) {
             apart = *record.apart;
             apart_where = fmt::format("{} {}", record.target.name, record.apart_where);
         }
-        if (record.exception.empty()) {
-            all += record.result;
-            continue;
-        }
-        LockstepResult decisions;  // forces that are not judged do not count
-        decisions.decisions = record.result.decisions;
-        decisions.cycles = record.result.cycles;
-        decisions.in_contact = record.result.in_contact;
-        decisions.different = record.result.different;
-        all += decisions;
+        all += record.result;
     }
     text += fmt::format("{} runs, {} refused: {}\n", records.size(), refused, counts(all));
     text += "differences in ulps of the magnitudes that enter:\n" + table(all);
@@ -129,7 +118,7 @@ Json to_json(const std::vector<LockstepRecord>& records) {
     bool ok = true;
     for (const LockstepRecord& record : records) {
         ok = ok && record.ok();
-        if (record.exception.empty()) all += record.result;
+        all += record.result;
         Json one = result_json(record.result);
         one["name"] = record.target.name;
         one["deck"] = record.target.run.deck.filename().string();
@@ -137,7 +126,6 @@ Json to_json(const std::vector<LockstepRecord>& records) {
         one["ok"] = record.ok();
         one["refused"] = record.refused;
         one["error"] = record.error;
-        one["exception"] = record.exception;
         one["seconds"] = record.seconds;
         if (record.apart) {
             one["free_runs_apart"] = number(*record.apart);
@@ -162,8 +150,7 @@ CheckResult lockstep_check(const LockstepRecord& record, const std::string& case
     check.difference = record.result.largest();
     check.tolerance = lockstep_ulps;
     check.unit = "ulps";
-    check.reason = record.exception.empty() ? "The same equations with a handful of roundings in another order."
-                                            : "Decisions only. " + record.exception;
+    check.reason = "The same equations with a handful of roundings in another order.";
     check.ok = record.ok() && !record.refused;
     check.seconds = record.seconds;
     if (!check.ok) check.detail = trouble(record);

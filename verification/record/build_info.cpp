@@ -23,4 +23,8 @@ const BuildInfo& build_info() {
     return info;
 }
 
+std::string program_name() {
+    return "type21 " + build_info().version + " (" + build_info().commit + ")";
+}
+
 }  // namespace type21

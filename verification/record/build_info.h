@@ -15,5 +15,7 @@ struct BuildInfo {
 };
 
 const BuildInfo& build_info();
+/// "type21 0.1.0 (a9e9f51)".
+std::string program_name();
 
 }  // namespace type21
