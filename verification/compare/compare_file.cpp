@@ -25,7 +25,7 @@ std::vector<std::string> interface_files(const fs::path& folder) {
 
 std::string partner_of(const CsvTable& table, const fs::path& reference, const fs::path& ours) {
     if (table.has_object) return table.object_name == "node" ? "nodes.csv" : table.object_name + ".csv";
-    const std::string name = reference.filename().string();
+    std::string name = reference.filename().string();
     if (is_interface(name)) return name;
     const std::vector<std::string> interfaces = interface_files(ours);
     if (interfaces.size() == 1) return interfaces.front();
