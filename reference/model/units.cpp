@@ -66,6 +66,8 @@ constexpr std::array<Derived, 9> derived_units{{{dim::force, 1, "N"},
                                                 {dim::energy, 1e3, "kJ"},
                                                 {dim::energy, 1e6, "MJ"}}};
 
+constexpr Dimension impulse{1, 1, -1, 0};
+
 std::string derived_name(const UnitSystem& system, Dimension dimension) {
     for (const Derived& unit : derived_units) {
         if (unit.dimension == dimension && std::abs(system.si(dimension) / unit.si - 1) < 1e-12) {
@@ -85,6 +87,9 @@ std::string UnitSystem::name(Dimension dimension) const {
     if (std::string known = derived_name(*this, dimension); !known.empty()) return known;
     if (dimension == dim::stiffness) {
         if (const std::string force = derived_name(*this, dim::force); !force.empty()) return force + "/" + length_name;
+    }
+    if (dimension == impulse) {
+        if (const std::string force = derived_name(*this, dim::force); !force.empty()) return force + " " + time_name;
     }
     const std::array<std::pair<std::string, int>, 4> factors{{{mass_name, dimension.mass},
                                                               {length_name, dimension.length},

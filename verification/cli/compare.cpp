@@ -5,7 +5,9 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/compare/compare_file.h"
 #include "verification/compare/comparison_text.h"
+#include "verification/t01/t01_records.h"
 #include "verification/verify/case_file.h"
 
 namespace type21::cli {
@@ -32,8 +34,29 @@ std::string as_built_of(const fs::path& folder) {
     return json["as_built"];
 }
 
+int report(const FolderComparison& comparison, const Options& options) {
+    fmt::print("{}", to_text(comparison));
+    if (!options.json.empty()) write_report(options.json, to_json(comparison));
+    return comparison.ok() ? exit_ok : exit_mismatch;
+}
+
+/// A file that cannot be read is as a deck with errors: what is wrong and where, exit code 2.
+int compare_with_file(const Options& options) {
+    try {
+        return report(compare_file(options.ours, options.reference, {options.tolerance, options.columns, {}}), options);
+    } catch (const T01Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+    } catch (const CsvError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+    } catch (const UnclearReference& error) {
+        throw UsageError(error.what());
+    }
+    return exit_deck;
+}
+
 int compare(const Options& options) {
     require_folder(options.ours);
+    if (std::error_code error; fs::is_regular_file(options.reference, error)) return compare_with_file(options);
     require_folder(options.reference);
     FolderOptions folder_options{options.tolerance, options.columns, {}};
     bool foreign = false;
@@ -47,23 +70,27 @@ int compare(const Options& options) {
         folder_options.rules = rules_of(a_case, as_built, foreign);
     }
     const FolderComparison comparison = compare_folders(options.ours, options.reference, folder_options);
-    fmt::print("{}", to_text(comparison));
+    const int code = report(comparison, options);
     if (foreign && !as_built.empty())
         fmt::print(
             "note: {} was run with the departures '{}'; the case expects agreement with others (--as-built, see its "
             "case.toml)\n",
             options.ours, as_built);
-    if (!options.json.empty()) write_report(options.json, to_json(comparison));
-    return comparison.ok() ? exit_ok : exit_mismatch;
+    return code;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("compare", "Compare the histories of two runs, or of a run and a case");
+    CLI::App* verb = app.add_subcommand(
+        "compare",
+        "Compare the histories of a run with another run, a case, an OpenRadioss time-history file or a CSV");
     const auto options = std::make_shared<Options>();
     verb->add_option("OURS", options->ours, "folder of a run")->required();
-    verb->add_option("REFERENCE", options->reference, "folder of another run or of a case")->required();
+    verb->add_option("REFERENCE", options->reference,
+                     "folder of another run or of a case, a time-history file of OpenRadioss (NAMET01), or a CSV with "
+                     "our columns")
+        ->required();
     verb->add_option("--tolerance", options->tolerance,
                      "allowed difference relative to the scale of the column (default: the case's, otherwise 1e-9)")
         ->check(CLI::NonNegativeNumber);

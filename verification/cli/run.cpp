@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
     std::string deck, out, as_built, thickness, with = "reference";
-    bool quiet = false;
+    bool quiet = false, paraview = false;
 };
 
 int run(const Options& options) {
@@ -27,7 +27,7 @@ int run(const Options& options) {
     std::function<void(const RunProgress&)> report;
     if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
     const RunSummary summary =
-        run_scene(scene, prepared.problems, options.out, report, prepared.options(), options.with);
+        run_scene(scene, prepared.problems, options.out, report, prepared.options(), options.with, {options.paraview});
     progress.finish();
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
@@ -53,6 +53,9 @@ void add_run(CLI::App& app, int& exit_code) {
     verb->add_option("--with", options->with, "who computes the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
+    verb->add_flag(
+        "--paraview", options->paraview,
+        "blank and tool of each interface as time series for ParaView, in the folder paraview of the results");
     verb->add_flag("--quiet", options->quiet, "no progress and no summary");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -99,6 +99,15 @@ bool FolderComparison::ok() const {
            std::all_of(files.begin(), files.end(), [](const FileComparison& file) { return file.table.ok(); });
 }
 
+std::optional<FirstDifference> FolderComparison::first() const {
+    std::optional<FirstDifference> earliest;
+    for (const FileComparison& file : files)
+        for (const ColumnResult& column : file.table.columns)
+            if (column.first && (!earliest || column.first->time < earliest->difference.time))
+                earliest = {file.name, column.column, *column.first};
+    return earliest;
+}
+
 std::string our_name(const std::string& reference_name) {
     return reference_name == "tool.csv" ? "nodes.csv" : reference_name;
 }

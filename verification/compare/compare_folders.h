@@ -31,6 +31,12 @@ struct FileComparison {
     TableResult table;
 };
 
+/// The earliest difference above its tolerance, and where it is.
+struct FirstDifference {
+    std::string file, column;
+    Difference difference;
+};
+
 struct FolderComparison {
     std::vector<FileComparison> files;
     std::vector<std::string> notes;
@@ -38,6 +44,8 @@ struct FolderComparison {
     bool nothing_in_common = false;
 
     bool ok() const;
+    /// Where the histories part: the earliest difference above its tolerance, of the first file that has it.
+    std::optional<FirstDifference> first() const;
 };
 
 /// "nodes.csv" for "tool.csv": the tool's nodes are in the one file that a run writes. Otherwise the same name.

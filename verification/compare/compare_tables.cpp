@@ -19,20 +19,30 @@ double value(const std::vector<double>& column, const RowPair::Side& side) {
     return (1 - side.weight) * column[side.row] + side.weight * column[side.next];
 }
 
+/// |a - b|; a NaN compares as nothing at all and equal infinities differ by NaN: neither is agreement.
+double distance(double a, double b) {
+    return std::isfinite(a) && std::isfinite(b) ? std::abs(a - b) : std::numeric_limits<double>::infinity();
+}
+
+double scaled_by(double scale, double difference) {
+    return difference == 0 ? 0 : difference / scale;
+}
+
+/// The rows are in the order of time, and of ids within one time.
 ColumnResult compare_column(const std::vector<double>& ours, const std::vector<double>& reference,
-                            const RowMatch& match, bool has_object) {
+                            const RowMatch& match, bool has_object, double scale, double tolerance) {
     ColumnResult result;
+    result.scale = scale;
+    result.tolerance = tolerance;
     size_t bad = 0;
     bool first = true;
     for (const RowPair& pair : match.pairs) {
         const double a = value(ours, pair.ours);
         const double b = value(reference, pair.reference);
-        double difference = std::abs(a - b);
-        // A NaN compares as nothing at all and equal infinities differ by NaN: neither is agreement.
-        if (!std::isfinite(a) || !std::isfinite(b)) {
-            ++bad;
-            difference = std::numeric_limits<double>::infinity();
-        }
+        const double difference = distance(a, b);
+        bad += std::isinf(difference) ? 1 : 0;
+        if (!result.first && scaled_by(scale, difference) > tolerance)
+            result.first = {pair.time, has_object ? std::optional(pair.object) : std::nullopt, a, b};
         if (!first && difference <= result.difference) continue;
         first = false;
         result.difference = difference;
@@ -41,6 +51,8 @@ ColumnResult compare_column(const std::vector<double>& ours, const std::vector<d
         result.ours = a;
         result.reference = b;
     }
+    result.scaled = scaled_by(scale, result.difference);
+    result.ok = result.scaled <= tolerance;
     if (bad > 0) result.remark = fmt::format("not a finite number in {} of {} rows", bad, match.pairs.size());
     return result;
 }
@@ -99,12 +111,9 @@ TableResult compare_tables(const CsvTable& ours, const CsvTable& reference, cons
             continue;
         }
         if (match.pairs.empty()) continue;
-        ColumnResult result = compare_column(ours.values[*mine], chosen.values[c], match, chosen.has_object);
+        ColumnResult result = compare_column(ours.values[*mine], chosen.values[c], match, chosen.has_object, scales[c],
+                                             options.tolerance);
         result.column = name;
-        result.scale = scales[c];
-        result.scaled = result.difference == 0 ? 0 : result.difference / result.scale;
-        result.tolerance = options.tolerance;
-        result.ok = result.scaled <= result.tolerance;
         out.columns.push_back(result);
     }
     if (out.columns.empty() && out.mismatches.empty()) out.mismatches.emplace_back("no column was compared");

@@ -21,6 +21,14 @@ struct CompareOptions {
     TimeWindow window{};
 };
 
+/// One row of one column that differs by more than the tolerance.
+struct Difference {
+    double time = 0;           ///< [time]
+    std::optional<Id> object;  ///< in a file of nodes
+    double ours = 0;           ///< [unit of the column]
+    double reference = 0;      ///< likewise
+};
+
 struct ColumnResult {
     std::string column;
     double difference = 0;     ///< largest |ours - reference|, infinity for a NaN [unit of the column]
@@ -32,7 +40,8 @@ struct ColumnResult {
     double reference = 0;      ///< there
     double tolerance = 0;
     bool ok = false;
-    std::string remark;  ///< "not a number ..." ; empty when there is nothing to say
+    std::optional<Difference> first;  ///< the earliest above the tolerance
+    std::string remark;               ///< "not a number ..." ; empty when there is nothing to say
 };
 
 struct TableResult {

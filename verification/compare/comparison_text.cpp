@@ -42,6 +42,13 @@ Json number(double value) {
     return value;
 }
 
+Json difference_json(const Difference& difference) {
+    Json json = {
+        {"time", difference.time}, {"ours", number(difference.ours)}, {"reference", number(difference.reference)}};
+    if (difference.object) json["node"] = *difference.object;
+    return json;
+}
+
 Json column_json(const ColumnResult& column) {
     Json json = {{"column", column.column},
                  {"difference", number(column.difference)},
@@ -52,6 +59,7 @@ Json column_json(const ColumnResult& column) {
                  {"reference", number(column.reference)},
                  {"tolerance", column.tolerance},
                  {"verdict", column.ok ? "ok" : "mismatch"}};
+    if (column.first) json["first"] = difference_json(*column.first);
     if (column.object) json["node"] = *column.object;
     if (!column.remark.empty()) json["remark"] = column.remark;
     return json;
@@ -75,6 +83,12 @@ std::string to_text(const FolderComparison& comparison) {
     if (worst)
         out += fmt::format("largest scaled difference {:.2e} ({} of {})\n", worst->table.worst()->scaled,
                            worst->table.worst()->column, worst->name);
+    if (const auto first = comparison.first())
+        out += fmt::format(
+            "first difference above its tolerance at t = {:.9g}: {}{} of {}, ours {:.9g}, reference {:.9g}\n",
+            first->difference.time, first->column,
+            first->difference.object ? fmt::format(" of node {}", *first->difference.object) : "", first->file,
+            first->difference.ours, first->difference.reference);
     return out + (comparison.ok() ? "agree\n" : "DIFFER\n");
 }
 
@@ -93,8 +107,15 @@ Json to_json(const FolderComparison& comparison) {
                          {"notes", file.table.notes},
                          {"mismatches", file.table.mismatches}});
     }
+    Json first;
+    if (const auto difference = comparison.first()) {
+        first = difference_json(difference->difference);
+        first["file"] = difference->file;
+        first["column"] = difference->column;
+    }
     return {{"verdict", comparison.ok() ? "agree" : "differ"},
             {"nothing_in_common", comparison.nothing_in_common},
+            {"first_difference", first},
             {"files", files},
             {"notes", comparison.notes},
             {"mismatches", comparison.mismatches}};

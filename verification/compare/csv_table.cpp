@@ -41,6 +41,7 @@ void read_header(CsvTable& table, std::string_view line) {
     const std::vector<std::string_view> names = cells(line);
     if (names.front() != "time") throw CsvError(fmt::format("{}:1: the first column must be 'time'", table.file));
     table.has_object = names.size() > 1 && (names[1] == "node" || names[1] == "rbody" || names[1] == "element");
+    if (table.has_object) table.object_name = names[1];
     table.columns.assign(names.begin() + (table.has_object ? 2 : 1), names.end());
     std::vector<std::string> sorted = table.columns;
     std::sort(sorted.begin(), sorted.end());
@@ -98,7 +99,9 @@ CsvTable filtered(const CsvTable& table, const TimeWindow& window, const std::ve
     CsvTable out;
     out.file = table.file;
     out.has_object = table.has_object;
+    out.object_name = table.object_name;
     out.columns = table.columns;
+    out.rounding = table.rounding;
     out.values.resize(table.columns.size());
     for (size_t row = 0; row < table.rows(); ++row) {
         if (table.time[row] < window.from || table.time[row] > window.until) continue;

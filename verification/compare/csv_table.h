@@ -17,14 +17,16 @@ struct CsvError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// `time` first, then maybe `node`, `rbody` or `element`, then values.
+/// A history: `time` first, then maybe `node`, `rbody` or `element`, then values.
 struct CsvTable {
     std::string file;
     bool has_object = false;                  ///< a second column names nodes, bodies or elements
+    std::string object_name{};                ///< of that column: "node", "rbody" or "element"; empty without it
     std::vector<std::string> columns;         ///< the value columns
     std::vector<double> time;                 ///< per row
     std::vector<Id> object;                   ///< per row; empty without has_object
     std::vector<std::vector<double>> values;  ///< per column, per row
+    double rounding = 0;  ///< relative, of times and values: that of the floats of a file of single precision, else 0
 
     size_t rows() const { return time.size(); }
     std::optional<size_t> column(const std::string& name) const;

@@ -1,5 +1,6 @@
 #include "verification/compare/match_rows.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -60,8 +61,9 @@ RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeW
     if (a.times.empty() || b.times.empty()) return match;
 
     const bool ours_thin = a.times.size() < b.times.size();
-    TimeMatch times = ours_thin ? match_times(a.times, "ours", b.times, "the reference", window)
-                                : match_times(b.times, "the reference", a.times, "ours", window);
+    const double rounding = std::max(ours.rounding, reference.rounding);
+    TimeMatch times = ours_thin ? match_times(a.times, "ours", b.times, "the reference", window, rounding)
+                                : match_times(b.times, "the reference", a.times, "ours", window, rounding);
     match.interpolated = times.interpolated;
     match.notes = std::move(times.notes);
     match.mismatches.insert(match.mismatches.end(), times.mismatches.begin(), times.mismatches.end());

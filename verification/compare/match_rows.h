@@ -29,7 +29,10 @@ struct RowMatch {
 
 /// How far apart two times may be and still be the same: 1e-6 of the smaller of the two smallest steps, because
 /// accumulated sums of steps differ in the last bits and no more. 0 when neither history has two times.
-double time_tolerance(const std::vector<double>& a, const std::vector<double>& b);
+/// @param rounding  relative, of times that were stored with fewer digits: they may be off by as much, but by no more
+/// than
+///                  a quarter of a step
+double time_tolerance(const std::vector<double>& a, const std::vector<double>& b, double rounding = 0);
 
 /// The times of the thinner file decide. When one of them has no partner inside the overlap, the other file is
 /// interpolated linearly onto them; then only the overlap counts, and an end may be off by one step. Otherwise every

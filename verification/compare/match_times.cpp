@@ -48,15 +48,17 @@ struct Count {
 
 }  // namespace
 
-double time_tolerance(const std::vector<double>& a, const std::vector<double>& b) {
+double time_tolerance(const std::vector<double>& a, const std::vector<double>& b, double rounding) {
     const double step = std::min(smallest_step(a), smallest_step(b));
-    return std::isfinite(step) ? 1e-6 * step : 0;
+    if (!std::isfinite(step)) return 0;
+    const double largest = std::max({std::abs(a.front()), std::abs(a.back()), std::abs(b.front()), std::abs(b.back())});
+    return std::max(1e-6 * step, std::min(rounding * largest, 0.25 * step));
 }
 
 TimeMatch match_times(const std::vector<double>& thin, const std::string& thin_name, const std::vector<double>& full,
-                      const std::string& full_name, const TimeWindow& window) {
+                      const std::string& full_name, const TimeWindow& window, double rounding) {
     TimeMatch match;
-    const double tolerance = time_tolerance(thin, full);
+    const double tolerance = time_tolerance(thin, full, rounding);
     const auto in_window = [&](double t) { return t >= window.from - tolerance && t <= window.until + tolerance; };
     const auto inside_full = [&](double t) { return t > full.front() && t < full.back(); };
     const auto partner = [&](double t) {

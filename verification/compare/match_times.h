@@ -23,7 +23,8 @@ struct TimeMatch {
 
 /// @param thin, full             ascending, thin.size() <= full.size(), neither empty [time]
 /// @param thin_name, full_name   for the messages
+/// @param rounding               of the times, see time_tolerance() [-]
 TimeMatch match_times(const std::vector<double>& thin, const std::string& thin_name, const std::vector<double>& full,
-                      const std::string& full_name, const TimeWindow& window);
+                      const std::string& full_name, const TimeWindow& window, double rounding = 0);
 
 }  // namespace type21

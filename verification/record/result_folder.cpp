@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "verification/paraview/paraview_files.h"
+
 namespace type21 {
 namespace fs = std::filesystem;
 namespace {
@@ -27,6 +29,8 @@ void prepare_folder(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (is_result(entry->path().filename().string())) old.push_back(entry->path());
     if (error) throw FolderError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
+    for (fs::path& path : old_paraview_files(folder))
+        old.push_back(std::move(path));
     if (!ours && !old.empty())
         throw FolderError(fmt::format(
             "{}: already there and no run.json says that a run wrote it. Choose another --out", old.front().string()));
@@ -37,6 +41,7 @@ void prepare_folder(const fs::path& folder) {
     for (const fs::path& path : old)
         fs::remove(path, error);
     if (ours) fs::remove(folder / "run.json", error);
+    if (std::error_code none; fs::is_empty(folder / "paraview", none)) fs::remove(folder / "paraview", none);
     if (error)
         throw FolderError(fmt::format("{}: an earlier result cannot be removed: {}", folder.string(), error.message()));
 }

@@ -12,7 +12,8 @@ struct FolderError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Creates the folder and removes what an earlier run left in it (run.json, interface_*.csv, nodes.csv, rbody.csv).
+/// Creates the folder and removes what an earlier run left in it (run.json, interface_*.csv, nodes.csv, rbody.csv, the
+/// files of paraview/).
 /// CSV files of these names without a run.json are somebody's data (a case's measured histories): they are refused,
 /// never removed.
 /// @throws FolderError

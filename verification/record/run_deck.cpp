@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reference/host/conditions.h"
+#include "verification/paraview/paraview_files.h"
 #include "verification/record/contact_choice.h"
 #include "verification/record/recorder.h"
 #include "verification/record/result_folder.h"
@@ -58,13 +59,13 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
-                     const std::string& with) {
-    return run_scene(scene, problems, folder, progress, options, contact_maker(with));
+                     const std::string& with, const RunFiles& files) {
+    return run_scene(scene, problems, folder, progress, options, contact_maker(with), files);
 }
 
 RunSummary run_scene(const Scene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
-                     const MakeContact& make) {
+                     const MakeContact& make, const RunFiles& files) {
     prepare_folder(folder);
     const std::vector<std::string> warnings = warnings_of(problems);
     const std::filesystem::path json = folder / "run.json";
@@ -73,6 +74,8 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
     write_json(json, to_json(summary, scene, warnings));
 
     Recorder recorder(scene, folder);
+    std::optional<ParaviewFiles> paraview;
+    if (files.paraview) paraview.emplace(scene, folder);
     BalanceObserver balance(scene);
     ContactCounter counter(scene);
     const auto start = std::chrono::steady_clock::now();
@@ -86,6 +89,7 @@ RunSummary run_scene(const Scene& scene, const Problems& problems, const std::fi
         balance.observe(record);
         counter.observe(record);
         recorder.observe(record);
+        if (paraview) paraview->observe(record);
         if (!progress) return;
         const double fraction = record.last ? 1.0 : (end_time > 0 ? std::min(record.time / end_time, 1.0) : 1.0);
         const double left = fraction > 0 ? seconds() * (1 - fraction) / fraction : 0;

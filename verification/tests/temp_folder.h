@@ -7,8 +7,14 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace type21::test {
+
+inline void write_text(const std::filesystem::path& path, std::string_view text) {
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
 
 class TempFolder {
   public:
@@ -26,15 +32,17 @@ class TempFolder {
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+    /// Writes these bytes and returns the path.
+    std::string write(const std::string& name, std::string_view text) const {
+        write_text(path_ / name, text);
+        return path(name);
+    }
 
   private:
     std::filesystem::path path_;
 };
-
-inline void write_text(const std::filesystem::path& path, const std::string& text) {
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
-}
 
 inline std::string read_text(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -20,6 +20,28 @@ nlohmann::json run_json(const DeckCopy& deck) {
     return nlohmann::json::parse(test::read_text(fs::path(deck.out()) / "run.json"));
 }
 
+size_t count_of(const std::string& text, const std::string& words) {
+    size_t count = 0;
+    for (size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+        ++count;
+    return count;
+}
+
+TEST(Run, ParaviewHasEveryTimeOfTheHistoriesAlsoWhenTheRunStops) {
+    const DeckCopy deck("invn1_inverted");
+    EXPECT_EQ(test::type21(run_line(deck, "--quiet --paraview")).code, 4);
+    const fs::path out = deck.out();
+    const size_t times = read_csv(out / "interface_1.csv").rows();
+    EXPECT_GT(times, 10U);
+    for (const char* name : {"blank_1", "tool_1"}) {
+        const std::string list = test::read_text(out / ("paraview/" + std::string(name) + ".pvd"));
+        EXPECT_EQ(count_of(list, "<DataSet "), times);
+        EXPECT_NE(list.find("</VTKFile>"), std::string::npos);
+    }
+    // A list and a file a time for blank and tool, and nothing half-written.
+    EXPECT_EQ(static_cast<size_t>(std::distance(fs::directory_iterator(out / "paraview"), {})), 2 * (times + 1));
+}
+
 TEST(Run, WritesHistoriesAndRunJson) {
     const DeckCopy deck("flat_press");
     const Outcome outcome = test::type21(run_line(deck, "--as-built all"));

@@ -29,6 +29,19 @@ TEST(CompareTables, FindsTheLargestDifferenceAndWhere) {
     EXPECT_EQ(table.worst()->column, "FNY");
 }
 
+TEST(CompareTables, TheFirstDifferenceIsTheEarliestAboveTheTolerance) {
+    const CsvTable reference = node_history({0, 0, 1, 1, 2, 2}, {5, 7, 5, 7, 5, 7}, {{"DX", {8, 8, 8, 8, 8, 8}}});
+    const CsvTable ours = node_history({2, 2, 1, 1, 0, 0}, {7, 5, 7, 5, 7, 5}, {{"DX", {8, 16, 8.5, 8.01, 8.01, 8}}});
+    const TableResult table = compare_tables(ours, reference, {.tolerance = 0.01});
+    ASSERT_TRUE(table.columns[0].first);
+    EXPECT_EQ(table.columns[0].first->time, 1);
+    EXPECT_EQ(table.columns[0].first->object, 7);
+    EXPECT_EQ(table.columns[0].first->ours, 8.5);
+    EXPECT_EQ(table.columns[0].first->reference, 8);
+    EXPECT_EQ(table.columns[0].time, 2);  // the largest is another
+    EXPECT_FALSE(compare_tables(ours, reference, {.tolerance = 1}).columns[0].first);
+}
+
 TEST(CompareTables, TheToleranceIsTheBorder) {
     const CsvTable reference = history({0}, {{"FNX", {1}}});
     EXPECT_TRUE(compare_tables(history({0}, {{"FNX", {1.25}}}), reference, {.tolerance = 0.25}).ok());

@@ -15,6 +15,21 @@ CsvTable times(std::vector<double> time) {
     return history(std::move(time), {{"FNX", values}});
 }
 
+TEST(MatchRows, TimesOfSinglePrecisionFindTheirPartners) {
+    const std::vector<double> times{0, 1e-6, 2e-6, 2.99e-4, 3e-4};
+    CsvTable ours = history(times, {{"FNX", {0, 1, 2, 299, 300}}});
+    std::vector<double> stored;
+    for (const double time : times)
+        stored.push_back(static_cast<double>(static_cast<float>(time)));
+    CsvTable reference = history(stored, {{"FNX", {0, 1, 2, 299, 300}}});
+    EXPECT_TRUE(match_rows(ours, reference).interpolated);
+    reference.rounding = 0x1p-24;
+    EXPECT_FALSE(match_rows(ours, reference).interpolated);
+    EXPECT_EQ(match_rows(ours, reference).pairs.size(), 5U);
+    // Where the rounding is as large as the step, a neighbour is no partner.
+    EXPECT_EQ(time_tolerance({0, 1, 2}, {0, 1, 2}, 10), 0.25);
+}
+
 TEST(MatchRows, TheThinnerFileDecidesWhicheverSideItIsOn) {
     const CsvTable full = times({0, 1, 2, 3, 4});
     const CsvTable thin = times({0, 2, 4});

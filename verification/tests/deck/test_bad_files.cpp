@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "temp_folder.h"
+#include "problem_search.h"
 
 namespace type21 {
 namespace {

@@ -1,8 +1,8 @@
 // The table of thickness against time: what it gives, and every way in which it can be wrong.
 #include <gtest/gtest.h>
 
-#include "../deck/temp_folder.h"
 #include "reference/host/thickness_history.h"
+#include "verification/tests/deck/problem_search.h"
 
 namespace type21 {
 namespace {

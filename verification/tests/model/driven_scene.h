@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/model/model.h"
-#include "verification/tests/deck/temp_folder.h"
+#include "verification/tests/deck/problem_search.h"
 
 namespace type21::test {
 

@@ -5,7 +5,7 @@
 #include "reference/model/card_reader.h"
 #include "reference/model/numbers.h"
 #include "reference/model/origin.h"
-#include "verification/tests/deck/temp_folder.h"
+#include "verification/tests/deck/problem_search.h"
 
 namespace type21 {
 namespace {

@@ -58,6 +58,8 @@ TEST(Units, NamesOfTheCommonSystems) {
     EXPECT_EQ(kg_mm_ms.name(dim::pressure), "GPa");
     EXPECT_EQ(kg_mm_ms.name(dim::energy), "J");
     EXPECT_EQ(mg_mm_s.name(dim::stiffness), "N/mm");
+    EXPECT_EQ(mg_mm_s.name({1, 1, -1, 0}), "N s");
+    EXPECT_EQ(kg_mm_ms.name({1, 1, -1, 0}), "kN ms");
 }
 
 TEST(Units, OtherNamesAreProducts) {
@@ -70,6 +72,7 @@ TEST(Units, OtherNamesAreProducts) {
     const UnitSystem pounds{0.45359237, 0.0254, 1, "lb", "in", "s"};
     EXPECT_EQ(pounds.name(dim::force), "lb in/s^2");
     EXPECT_EQ(pounds.name(dim::stiffness), "lb/s^2");
+    EXPECT_EQ(pounds.name({1, 1, -1, 0}), "lb in/s");
 }
 
 }  // namespace

@@ -1,45 +1,15 @@
-/// @file A folder of its own for the files that a test writes; gone when the test is.
+/// @file What a test looks for in the problems of a deck, and how it spoils one.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <stdlib.h>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "reference/deck/deck.h"
+#include "verification/tests/temp_folder.h"
 
 namespace type21::test {
-
-class TempFolder {
-  public:
-    TempFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "type21_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = name;
-    }
-    ~TempFolder() {
-        std::error_code code;
-        std::filesystem::remove_all(path_, code);
-    }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-    /// Writes these bytes and returns the path.
-    std::string write(const std::string& name, std::string_view text) const {
-        const std::filesystem::path file = path_ / name;
-        std::filesystem::create_directories(file.parent_path());
-        std::ofstream(file, std::ios::binary) << text;
-        return file.string();
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// All messages, one a line, for the output of a failing test.
 inline std::string all_of(const Problems& problems) {
