@@ -54,8 +54,9 @@ struct Closed {
     V3 normal, velocity, friction, force, arm;
 };
 
-void add_terms(const Closed& n, double step, double* at) {
-    const auto put = [&](Term term, double value) { at[static_cast<int>(term) * TermBlock::stride] = value; };
+/// @param put  takes a Term and its number
+template <class Put>
+void each_term(const Closed& n, double step, const Put& put) {
     const auto put_vector = [&](Term first, const V3& v) {
         put(first, v.x);
         put(static_cast<Term>(static_cast<int>(first) + 1), v.y);
@@ -81,16 +82,6 @@ void add_terms(const Closed& n, double step, double* at) {
     put(Term::step_rotation, n.step_stiffness * square);
 }
 
-void add_plainly(const TermBlock& block, std::array<double, static_cast<size_t>(rows)>& sum) {
-    for (int t = 0; t < rows; ++t) {
-        const double* row = block.row(t);
-        double part = 0;
-        for (int j = 0; j < block.size(); ++j)
-            part += row[j];
-        sum[static_cast<size_t>(t)] += part;
-    }
-}
-
 }  // namespace
 
 template <bool rubbing, BareStep::Until until, BareStep::Sums how>
@@ -108,11 +99,7 @@ void BareStep::run(const Motion& motion) {
     tally_ = {};
     searched_.clear();
     const auto flush = [&] {
-        if constexpr (how == Sums::exact) {
-            work_->sums.add(terms, rows);
-        } else {
-            add_plainly(terms, plain);
-        }
+        work_->sums.add(terms, rows);
         terms.clear();
     };
     Search::Asked asked[lanes];
@@ -187,9 +174,15 @@ void BareStep::run(const Motion& motion) {
             force_[i] = to_vec3(n.force);
             step_stiffness_[i] = n.step_stiffness;
             if constexpr (until == Until::force) continue;
-            add_terms(n, motion.step, terms.column());
-            terms.next();
-            if (terms.size() == TermBlock::room) flush();
+            if constexpr (how == Sums::plain) {
+                each_term(n, motion.step, [&](Term term, double value) { plain[static_cast<size_t>(term)] += value; });
+            } else {
+                double* column = terms.column();
+                each_term(n, motion.step,
+                          [&](Term term, double value) { column[static_cast<int>(term) * TermBlock::stride] = value; });
+                terms.next();
+                if (terms.size() == TermBlock::room) flush();
+            }
         }
     }
     if constexpr (until == Until::sum) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/host/march.h"
 #include "verification/bench/bench_scene.h"
 #include "verification/bench/result.h"
 
@@ -13,12 +14,16 @@ namespace type21::bench {
 
 struct BenchOptions {
     std::vector<int> sizes;                          ///< triangles of the pan; empty: no generated scenes
-    std::vector<int> nodes{10000, 100000, 1000000};  ///< of the pan, for the growth; 100 000 everywhere else
+    std::vector<int> nodes{10000, 100000, 1000000};  ///< of the pan, beside the usual number
     bool quick = false;
     std::vector<int> threads{1, 2};
     long check = 200000;        ///< decisions to compare with exact ones; 0: none
     std::optional<Scene> deck;  ///< each of its interfaces is timed
     int deck_cycles = 200;      ///< of the deck, at most
+    // Smaller ones are for tests.
+    int blank = 316, tool = 220;  ///< quads of the bowl, a side
+    int ties = 160;               ///< quads of the tool of the ties, a side; half of it when quick
+    int usual_nodes = 100000;     ///< of the pan
     std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
@@ -48,8 +53,9 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
 void measure_effects(const BenchOptions& options, BenchResult& result);
 void measure_threads(const BenchScene& scene, const BenchOptions& options, BenchResult& result);
 
-/// Decisions of the optimized step in `count` node cycles, with its history, leaps and turns, against exact ones.
-CheckPart check_steps(const BenchScene& scene, long count);
+/// Decisions of a step in `count` node cycles, with its history, leaps and turns, against exact ones.
+/// @param make  whose step; empty: the optimized contact's
+CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& make = {});
 /// The recorded cycles of a deck, both implementations side by side.
 CheckPart check_deck(const BenchScene& scene, long count);
 /// Questions of the adversarial families, each answered by optimized::decide_query and by an independent evaluation.

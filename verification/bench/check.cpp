@@ -9,6 +9,7 @@
 #include "verification/bench/truth.h"
 #include "verification/decide/decision_text.h"
 #include "verification/fuzz/fuzz.h"
+#include "verification/record/contact_choice.h"
 
 namespace type21::bench {
 
@@ -48,16 +49,16 @@ void compare(CheckPart& part, const BenchScene& scene, size_t i, int cycle, cons
 
 }  // namespace
 
-CheckPart check_steps(const BenchScene& scene, long count) {
+CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& make) {
     CheckPart part{scene.name + ", step against exact decisions", 0, 0, {}};
     const Truth exact(scene);
-    optimized::Contact contact(scene.scene, scene.interface);
+    const auto contact = (make ? make : contact_maker("optimized"))(scene.scene, scene.interface);
     Wander wander;
     while (part.decisions < count) {
         const Motion motion = wander.next(scene);
         const std::vector<Decision> truth = exact.at(motion);
-        const ContactStep step = contact.step(motion);
-        for (size_t i = 0; i < truth.size(); ++i)
+        const ContactStep step = contact->step(motion);
+        for (size_t i = 0; i < truth.size() && part.decisions < count; ++i)
             compare(part, scene, i, wander.cycle, step.nodes[i].decision, truth[i]);
     }
     return part;

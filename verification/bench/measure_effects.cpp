@@ -138,7 +138,7 @@ struct BareRun {
 void measure_effects(const BenchOptions& options, BenchResult& result) {
     const Effort effort(options.quick);
     // A quarter of the bowl: which effects cost what does not hang on its size.
-    const BenchScene bowl = bowl_bench(158, 110);
+    const BenchScene bowl = bowl_bench(options.blank / 2, options.tool / 2);
     const BenchScene elastic = changed(bowl, false, nullptr), rubbing = changed(bowl, true, nullptr);
     tbb::task_arena one(1);
     one.execute([&] {
@@ -178,6 +178,8 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
             if (lean) row.ns_absent = rounds.of("bare " + base).p50;
             result.effects.push_back(row);
         }
+        result.targets.push_back({"memory of a node without optional effects", "bowl", "B", Better::lower, 100, 100,
+                                  static_cast<double>(without[0].contact().bytes_per_node()), ""});
         for (const std::string base : {"elastic", "rubbing"})
             result.targets.push_back({fmt::format("effects off against a step that has none, {}",
                                                   base == "elastic" ? "elastic" : "Coulomb and damping"),

@@ -29,12 +29,12 @@ Json shares(const std::vector<std::pair<std::string, double>>& all) {
 
 Json of(const SceneRow& s) {
     Json setup = Json::array();
-    for (const SetUp& one : s.setup)
-        setup.push_back({{"implementation", one.implementation},
-                         {"threads", one.threads},
-                         {"seconds", one.seconds},
-                         {"bytes", one.bytes},
-                         {"bytes_per_segment", one.bytes_per_segment}});
+    for (const SetUp& one : s.setup) {
+        setup.push_back({{"implementation", one.implementation}, {"threads", one.threads}, {"seconds", one.seconds}});
+        if (one.bytes == 0) continue;
+        setup.back()["bytes"] = one.bytes;
+        setup.back()["bytes_per_segment"] = one.bytes_per_segment;
+    }
     Json out{{"scene", s.scene},
              {"title", s.title},
              {"kind", s.kind},

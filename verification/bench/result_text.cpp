@@ -17,8 +17,9 @@ std::string scene_text(const BenchResult& result, const SceneRow& s) {
     std::string out = fmt::format("\n{}: {}\n  {} segments, {} nodes, {:.1f} % in contact; {} B per node\n", s.scene,
                                   s.title, s.segments, s.nodes, 100 * s.in_contact, s.bytes_per_node);
     for (const SetUp& one : s.setup)
-        out += fmt::format("  set-up {:<34} {:>7.3f} s on {} {}, {:.0f} B per segment\n", one.implementation,
-                           one.seconds, one.threads, one.threads == 1 ? "thread" : "threads", one.bytes_per_segment);
+        out += fmt::format("  set-up {:<34} {:>7.3f} s on {} {}{}\n", one.implementation, one.seconds, one.threads,
+                           one.threads == 1 ? "thread" : "threads",
+                           one.bytes == 0 ? "" : fmt::format(", {:.0f} B per segment", one.bytes_per_segment));
     if (!s.paths.empty())
         out += fmt::format("  coherent step  {}; first cycle {:.0f} ns\n", shares(s.paths), s.first_cycle);
     if (!s.funnel.empty()) out += fmt::format("  full search    {}\n", shares(s.funnel));

@@ -23,7 +23,7 @@ void Rounds::add(std::string name, std::function<double()> run, int times) {
 void Rounds::run(int repeats) {
     for (int r = 0; r <= repeats; ++r) {
         for (Method& method : methods_) {
-            if (method.times < 0 && r > 0 && (r - 1) % -method.times != 0) continue;
+            if (method.times < 0 && (r == 0 || (r - 1) % -method.times != 0)) continue;
             for (int i = 0; i < std::max(method.times, 1); ++i) {
                 const double time = method.run();
                 if (r > 0) method.times_taken.push_back(time);

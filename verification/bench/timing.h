@@ -37,7 +37,8 @@ Spread spread(std::vector<double> times);
 class Rounds {
   public:
     /// @param run    does its work once and returns the nanoseconds per node
-    /// @param times  runs so often in a round; negative: takes part in every so many rounds only
+    /// @param times  runs so often in a round; negative: takes part in every so many rounds only,
+    ///               and not in the first to warm up
     void add(std::string name, std::function<double()> run, int times = 1);
     /// One round to warm up, which is not counted, then `repeats`.
     void run(int repeats);
