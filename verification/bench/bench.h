@@ -39,8 +39,8 @@ struct Effort {
     explicit Effort(bool quick) {
         if (!quick) return;
         repeats = 5;
-        cycles = 3;
-        questions = 20000;
+        cycles = 2;
+        questions = 10000;
     }
 };
 

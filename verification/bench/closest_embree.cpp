@@ -67,7 +67,7 @@ class ByEmbree final : public ClosestPoint {
         if (!device_) throw std::runtime_error("bench: Embree gives no device");
         rtcSetDeviceMemoryMonitorFunction(device_.get(), count_bytes, &bytes_);
         tree_.reset(rtcNewScene(device_.get()));
-        rtcSetSceneBuildQuality(tree_.get(), RTC_BUILD_QUALITY_HIGH);
+        rtcSetSceneBuildQuality(tree_.get(), RTC_BUILD_QUALITY_MEDIUM);
         RTCGeometry shape = rtcNewGeometry(device_.get(), quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* x = static_cast<float*>(rtcSetNewGeometryBuffer(shape, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                               3 * sizeof(float), mesh.node.size()));

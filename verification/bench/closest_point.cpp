@@ -22,19 +22,25 @@ std::vector<std::array<Vec3, 3>> SurfaceMesh::triangles() const {
     return out;
 }
 
-// Inside the triangle where both weights and their rest are positive, else the nearest of the three edges.
+// By the region in which the foot of p lies: corner, edge or face (C. Ericson, Real-time collision detection, 5.1.5).
 double distance2_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, ap = p - a;
-    const double d11 = ab.dot(ab), d12 = ab.dot(ac), d22 = ac.dot(ac), d1 = ab.dot(ap), d2 = ac.dot(ap);
-    const double v = d22 * d1 - d12 * d2, w = d11 * d2 - d12 * d1, whole = d11 * d22 - d12 * d12;
-    if (v >= 0 && w >= 0 && v + w <= whole && whole > 0)
-        return (ap - ab * (v / whole) - ac * (w / whole)).squaredNorm();
-    const auto edge = [](const Vec3& from, const Vec3& way) {
-        const double length2 = way.squaredNorm();
-        const double t = length2 > 0 ? std::clamp(from.dot(way) / length2, 0.0, 1.0) : 0.0;
-        return (from - way * t).squaredNorm();
-    };
-    return std::min({edge(ap, ab), edge(ap, ac), edge(p - b, c - b)});
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0) return ap.squaredNorm();
+    const Vec3 bp = p - b;
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - ab * (d1 / (d1 - d3))).squaredNorm();
+    const Vec3 cp = p - c;
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - ac * (d2 / (d2 - d6))).squaredNorm();
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return (bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).squaredNorm();
+    const double inverse = 1 / (va + vb + vc);
+    return (ap - ab * (vb * inverse) - ac * (vc * inverse)).squaredNorm();
 }
 
 namespace {

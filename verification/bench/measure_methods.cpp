@@ -13,6 +13,7 @@
 #include "verification/bench/contact_run.h"
 #include "verification/bench/plain_search.h"
 #include "verification/bench/truth.h"
+#include "verification/lockstep/step_difference.h"
 
 namespace type21::bench {
 
@@ -28,7 +29,12 @@ const std::string coherent = "optimized, coherent step", whole = "optimized, coh
 class SceneBench {
   public:
     SceneBench(const BenchScene& scene, const BenchOptions& options, BenchResult& result)
-        : scene_(scene), options_(options), effort_(options.quick), result_(result), run_(set_up()) {}
+        : scene_(scene),
+          options_(options),
+          effort_(options.quick),
+          result_(result),
+          run_(set_up()),
+          beside_(scene.card(), *scene.scene.model, lockstep_) {}
 
     void add_product();
     void add_competitors();
@@ -63,6 +69,9 @@ class SceneBench {
     std::unique_ptr<CandidateList> list_;
     std::unique_ptr<ClosestPoint> embree_, cgal_, epick_;
     std::unique_ptr<reference::Contact> reference_;
+    std::unique_ptr<optimized::Contact> twin_;  ///< steps beside the reference: how far are the forces apart?
+    LockstepResult lockstep_;
+    StepDifference beside_;
     double sort_ns_ = 0;
     int list_cycle_ = 0, reference_cycle_ = 0;
     size_t at_[5] = {};
@@ -163,19 +172,23 @@ void SceneBench::add_competitors() {
     closest(epick, epick_, at_[4], [&] { return closest_by_cgal_epick(surface); });
     reference_ =
         timed_set_up("reference", [&] { return std::make_unique<reference::Contact>(scene_.scene, scene_.interface); });
+    twin_ = std::make_unique<optimized::Contact>(scene_.scene, scene_.interface);
     rounds_.add(
         reference_step,
         [&] {
             if (scene_.cycles > 0 && reference_cycle_ >= scene_.cycles) {
                 reference_ = std::make_unique<reference::Contact>(scene_.scene, scene_.interface);
+                twin_ = std::make_unique<optimized::Contact>(scene_.scene, scene_.interface);
                 reference_cycle_ = 0;
             }
             const Motion motion = scene_.motion(reference_cycle_++);
             const Watch watch(true);
-            keep(reference_->step(motion));
-            return watch.nanoseconds() / static_cast<double>(place_.size());
+            const ContactStep step = reference_->step(motion);
+            const double time = watch.nanoseconds() / static_cast<double>(place_.size());
+            beside_.add(step, twin_->step(motion), motion, reference_cycle_);
+            return time;
         },
-        options_.quick ? -effort_.repeats : -effort_.repeats / 4);
+        options_.quick ? -3 : -effort_.repeats / 4);
     if (!generated()) return;
     std::vector<std::array<int, 4>> corners = surface.segment;
     const double edge = scene_.card().shortest_edge;

@@ -27,9 +27,10 @@ std::string scene_text(const BenchResult& result, const SceneRow& s) {
                        "p95", "max", "min", "finds", "decisions", "wrong");
     for (const MethodRow& row : result.rows) {
         if (row.scene != s.scene) continue;
-        out += fmt::format("  {:<50} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f}  {:<18} {:>9} {:>7}\n",
+        out += fmt::format("  {:<50} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f}  {:<18} {:>9} {:>7}{}\n",
                            row.implementation + ", " + row.method, row.ns.p50, row.ns.p95, row.ns.max, row.ns.min,
-                           row.finds, row.decisions, row.wrong);
+                           row.finds, row.decisions, row.wrong,
+                           row.ulps_max ? fmt::format(", forces within {:.2f} ulps", *row.ulps_max) : "");
     }
     for (const RatioRow& row : result.ratios)
         if (row.scene == s.scene)
