@@ -22,7 +22,7 @@ struct BenchOptions {
     int deck_cycles = 200;      ///< of the deck, at most
     // Smaller ones are for tests.
     int blank = 316, tool = 220;  ///< quads of the bowl, a side
-    int ties = 160;               ///< quads of the tool of the ties, a side; half of it when quick
+    int ties = 120;               ///< quads of the tool of the ties, a side; half of it when quick
     int usual_nodes = 100000;     ///< of the pan
     std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
@@ -36,11 +36,13 @@ struct Effort {
     int repeats = 21;
     int cycles = 5;         ///< coherent cycles a round
     int questions = 50000;  ///< of a full search a round
+    double seconds = 20;    ///< of a scene, about
     explicit Effort(bool quick) {
         if (!quick) return;
         repeats = 5;
         cycles = 2;
         questions = 10000;
+        seconds = 1.5;
     }
 };
 

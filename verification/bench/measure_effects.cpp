@@ -166,7 +166,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
         for (size_t i = 0; i < all.size(); ++i)
             rounds.add(
                 all[i].name, [run = with[i].get()] { return run->next(true); }, effort.cycles);
-        rounds.run(effort.repeats);
+        rounds.run(effort.repeats, effort.seconds);
         for (size_t i = 0; i < all.size(); ++i) {
             const std::string base = all[i].rubbing ? "rubbing" : "elastic";
             const bool lean = with[i]->has_lean();

@@ -126,7 +126,7 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
                                           bare.laws().rules));
             return watch.nanoseconds() / nodes;
         });
-        rounds.run(effort.repeats);
+        rounds.run(effort.repeats, effort.seconds);
         const auto median = [&](const char* name) { return rounds.of(name).p50; };
         const double step = median("sum"), deciding = median("decide") - median("transform");
         const double searching = median("search"), projecting = median("project");
@@ -171,7 +171,7 @@ void measure_threads(const BenchScene& scene, const BenchOptions& options, Bench
             },
             2 * effort.cycles);
     }
-    rounds.run(effort.repeats);
+    rounds.run(effort.repeats, effort.seconds);
     std::vector<Vec3> first;
     for (size_t i = 0; i < options.threads.size(); ++i) {
         const Motion motion = scene.motion(runs[i]->cycle());

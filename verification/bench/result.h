@@ -28,6 +28,7 @@ struct SceneRow {
     double gap = 0, depth = 0;  ///< [length]
     double step = 0;            ///< way of the tool in a cycle [length]; 0: a deck's own
     double in_contact = 0;      ///< share of the nodes [-]
+    int repeats = 0;            ///< rounds of this scene
     std::vector<SetUp> setup;
     size_t bytes_per_node = 0;
     double first_cycle = 0;                              ///< of the coherent step, with all that it finds out once [ns]

@@ -45,6 +45,7 @@ Json of(const SceneRow& s) {
              {"depth", s.depth},
              {"step", s.step},
              {"in_contact", s.in_contact},
+             {"repeats", s.repeats},
              {"setup", setup},
              {"bytes_per_node", s.bytes_per_node},
              {"first_cycle", s.first_cycle}};

@@ -20,8 +20,10 @@ void Rounds::add(std::string name, std::function<double()> run, int times) {
     methods_.push_back({std::move(name), std::move(run), times, {}});
 }
 
-void Rounds::run(int repeats) {
+int Rounds::run(int repeats, double seconds) {
+    const Watch watch(false);
     for (int r = 0; r <= repeats; ++r) {
+        if (r > 3 && watch.seconds() > seconds) return r - 1;
         for (Method& method : methods_) {
             if (method.times < 0 && (r == 0 || (r - 1) % -method.times != 0)) continue;
             for (int i = 0; i < std::max(method.times, 1); ++i) {
@@ -30,6 +32,7 @@ void Rounds::run(int repeats) {
             }
         }
     }
+    return repeats;
 }
 
 const std::vector<double>& Rounds::times_of(const std::string& name) const {

@@ -40,8 +40,10 @@ class Rounds {
     /// @param times  runs so often in a round; negative: takes part in every so many rounds only,
     ///               and not in the first to warm up
     void add(std::string name, std::function<double()> run, int times = 1);
-    /// One round to warm up, which is not counted, then `repeats`.
-    void run(int repeats);
+    /// One round to warm up, which is not counted, then `repeats`, fewer (but 3) when they take longer.
+    /// @param seconds  of wall time
+    /// @return rounds that count
+    int run(int repeats, double seconds = 1e9);
     bool has(const std::string& name) const;
 
     Spread of(const std::string& name) const;
