@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
     cli::add_atlas(app, code);
     cli::add_fuzz(app, code);
     cli::add_replay(app, code);
+    cli::add_bench(app, code);
     if (argc <= 1) {
         fmt::print(stderr, "{}", app.help());
         return cli::exit_usage;

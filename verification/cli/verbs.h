@@ -20,6 +20,7 @@ void add_stability(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_fuzz(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
 
 /// The option --as-built; a set that is not one is a usage error.
 void add_as_built(CLI::App& verb, std::string& as_built);

@@ -1,0 +1,60 @@
+/// @file A step written by hand for one kind of scene, that knows no other effect: elastic, or elastic with damping and
+/// Coulomb friction. It stands for "a build without the effects", can sum in plain double, and can stop after each
+/// stage, which the product cannot. Its search is the product's.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "optimized/kernel/node_data.h"
+#include "verification/bench/bench_scene.h"
+
+namespace type21::bench {
+
+class BareStep {
+  public:
+    enum class Until { transform, decide, force, sum };
+    enum class Sums { exact, plain };
+
+    /// @param rubbing  damping and friction of the card; otherwise it is elastic
+    BareStep(const BenchScene& scene, bool rubbing);
+
+    void step(const Motion& motion, Until until = Until::sum, Sums sums = Sums::exact);
+
+    std::span<const Vec3> force() const { return force_; }
+    Vec3 tool_force() const { return tool_force_; }
+    const optimized::PathTally& tally() const { return tally_; }
+
+    const optimized::Laws& laws() const { return *laws_; }
+    const optimized::Search& search() const { return *laws_->search; }
+    /// Where the nodes were in the last cycle, in the tool frame.
+    const std::vector<optimized::V3>& place() const { return place_; }
+    const std::vector<optimized::Memory>& memory() const { return nodes_.memory; }
+    /// Ranks of the nodes that the last cycle had to search for.
+    const std::vector<int>& searched() const { return searched_; }
+    optimized::Window window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
+
+  private:
+    template <bool rubbing, Until until, Sums sums>
+    void run(const Motion& motion);
+    template <bool rubbing>
+    void dispatch(const Motion& motion, Until until, Sums sums);
+
+    bool rubbing_;
+    std::unique_ptr<optimized::Laws> laws_;
+    optimized::NodeData nodes_;
+    std::vector<optimized::V3> place_;
+    std::vector<Vec3> force_;
+    std::vector<double> step_stiffness_;
+    std::vector<int> searched_;
+    optimized::PathTally tally_;
+    std::unique_ptr<optimized::Workspace> work_;
+    Vec3 tool_force_ = Vec3::Zero();
+};
+
+/// The interface's laws with their search, as the optimized contact makes them.
+std::unique_ptr<optimized::Laws> laws_with_search(const Scene& scene, int interface);
+
+}  // namespace type21::bench

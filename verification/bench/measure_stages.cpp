@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <numeric>
+#include <tbb/task_arena.h>
+
+#include "verification/bench/bare_step.h"
+#include "verification/bench/bench.h"
+#include "verification/bench/contact_run.h"
+
+namespace type21::bench {
+
+namespace {
+
+using optimized::PlainRows;
+
+/// A step by hand that remembers its cycle.
+struct BareRun {
+    BareRun(const BenchScene& scene_, BareStep::Until until_, BareStep::Sums sums_)
+        : scene(scene_), until(until_), sums(sums_), bare(scene_, true) {}
+    double next() {
+        const Motion motion = scene.motion(cycle++);
+        const Watch watch(true);
+        bare.step(motion, until, sums);
+        return watch.nanoseconds() / static_cast<double>(scene.nodes());
+    }
+    const BenchScene& scene;
+    BareStep::Until until;
+    BareStep::Sums sums;
+    BareStep bare;
+    int cycle = 0;
+};
+
+/// The projections of as many nodes as the scene has, four at a time, on the segment and place of each.
+std::vector<PlainRows> projections(const BareStep& bare, size_t count) {
+    std::vector<PlainRows> rows((count + optimized::lanes - 1) / optimized::lanes);
+    const optimized::Tool& tool = bare.laws().tool;
+    for (size_t i = 0; i < rows.size() * optimized::lanes; ++i) {
+        const size_t n = std::min(i, bare.place().size() - 1);
+        const int s = std::max(bare.memory()[n].segment, 0), k = std::max(bare.memory()[n].piece, 1);
+        const optimized::SegmentData segment = tool.segment(s);
+        const optimized::PieceCorners corner = optimized::piece_corners(segment.triangle, k);
+        const auto at = [](int j) { return static_cast<size_t>(j); };
+        const size_t first = segment.triangle ? 2 : 0;
+        const optimized::V3 zero;
+        // In the order of PlainRows::Row.
+        const optimized::V3 vectors[] = {bare.place()[n],
+                                         segment.node[first],
+                                         segment.node[1],
+                                         segment.node[2],
+                                         segment.node[3],
+                                         segment.node[at(corner.b)],
+                                         segment.node[at(corner.c)],
+                                         segment.normal[first],
+                                         segment.triangle ? zero : segment.normal[1],
+                                         segment.triangle ? zero : segment.normal[2],
+                                         segment.triangle ? zero : segment.normal[3],
+                                         segment.normal[at(corner.b)],
+                                         segment.normal[at(corner.c)]};
+        PlainRows& row = rows[i / optimized::lanes];
+        const size_t lane = i % optimized::lanes;
+        int next = 0;
+        for (const optimized::V3& v : vectors)
+            for (int a = 0; a < 3; ++a)
+                row.in[next++][lane] = v[a];
+        row.in[PlainRows::quarter][lane] = segment.triangle ? 0 : 0.25;
+        row.in[PlainRows::normal_quarter][lane] = segment.triangle ? 1 : 0.25;
+    }
+    return rows;
+}
+
+/// Bytes of a node that one step must read or write: what streams through, not the tool, which nodes share.
+double streamed_bytes() {
+    constexpr double position = 24, velocity = 24, constants = 3 * 8 + 4;  // gap, stiffness, mass; rank
+    constexpr double history = 2 * (8 + 4 + 24);                           // offset, count, friction: read and written
+    constexpr double out = 2 * (24 + 8);  // force, stiffness: a line is fetched before it is written
+    return position + velocity + constants + history + 2 * sizeof(optimized::Memory) + out;
+}
+
+/// Additions, multiplications, divisions and roots of one node, counted in the text of the optimized step: transform
+/// 18, projection with its certificate 330, contact point 60, forces 90, terms of the sums 60, their exact sum 27
+/// times 12.
+constexpr double flops = 18 + 330 + 60 + 90 + 60 + 27 * 12;
+
+}  // namespace
+
+void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchResult& result) {
+    using Until = BareStep::Until;
+    using Sums = BareStep::Sums;
+    const Effort effort(options.quick);
+    tbb::task_arena one(1);
+    one.execute([&] {
+        BareRun transform(scene, Until::transform, Sums::exact), decide(scene, Until::decide, Sums::exact),
+            force(scene, Until::force, Sums::exact), sum(scene, Until::sum, Sums::exact),
+            plain(scene, Until::sum, Sums::plain);
+        ContactRun product(scene);
+        Rounds rounds;
+        for (int i = 0; i < 2; ++i)
+            for (BareRun* run : {&decide, &force, &sum, &plain})
+                run->next();
+        product.next(true);
+        std::vector<PlainRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
+        const double nodes = static_cast<double>(scene.nodes());
+        rounds.add(
+            "product", [&] { return product.next(true); }, effort.cycles);
+        rounds.add(
+            "transform", [&] { return transform.next(); }, effort.cycles);
+        rounds.add(
+            "decide", [&] { return decide.next(); }, effort.cycles);
+        rounds.add(
+            "force", [&] { return force.next(); }, effort.cycles);
+        rounds.add(
+            "sum", [&] { return sum.next(); }, effort.cycles);
+        rounds.add(
+            "plain sums", [&] { return plain.next(); }, effort.cycles);
+        rounds.add("project", [&] {
+            const Watch watch(true);
+            for (PlainRows& row : rows)
+                plain_landing(row);
+            keep(rows);
+            return watch.nanoseconds() / static_cast<double>(rows.size() * optimized::lanes);
+        });
+        rounds.add("search", [&] {
+            const BareStep& bare = decide.bare;
+            const Watch watch(true);
+            for (const int i : bare.searched())
+                keep(bare.search().search(bare.place()[static_cast<size_t>(i)], bare.window(static_cast<size_t>(i)),
+                                          bare.laws().rules));
+            return watch.nanoseconds() / nodes;
+        });
+        rounds.run(effort.repeats, effort.seconds);
+        const auto median = [&](const char* name) { return rounds.of(name).p50; };
+        const double step = median("sum"), deciding = median("decide") - median("transform");
+        const double searching = median("search"), projecting = median("project");
+        const auto add = [&](const char* stage, double ns, const char* how) {
+            result.stages.push_back({scene.name, stage, ns, ns / step, how});
+        };
+        add("transform", median("transform"), "a step that stops there");
+        add("certify", deciding - searching - projecting, "deciding, less search and projection");
+        add("search", searching, "the nodes without a certificate asked again");
+        add("project", projecting, "the projections of the step alone");
+        add("force", median("force") - median("decide"), "difference of two steps that stop early");
+        add("sum", step - median("force"), "the whole step less one that stops there");
+        result.ratios.push_back({scene.name, "reproducible sums / plain sums, whole step", "step by hand",
+                                 "step by hand, plain sums", rounds.of_medians("sum", "plain sums"),
+                                 rounds.of_minima("sum", "plain sums")});
+        result.targets.push_back({"reproducible sums against plain sums, whole step", scene.name, "x", Better::lower,
+                                  1.05, 1.01, rounds.of_medians("sum", "plain sums"), ""});
+        const Bandwidth& memory = result.machine.bandwidth.front();
+        Roofline roofline{scene.name, streamed_bytes(), flops, 0, 0, median("product")};
+        roofline.ns_bandwidth = roofline.bytes_per_node / std::max(memory.copy, memory.triad);
+        roofline.ns_arithmetic = roofline.flops_per_node / result.machine.fma;
+        result.roofline = roofline;
+        result.targets.push_back({"step over max(bytes/bandwidth, flops/peak)", scene.name, "x", Better::lower, 3, 2,
+                                  roofline.ns_step / roofline.limit(), ""});
+        result.targets.push_back({"step of the bowl, ns per node and cycle", scene.name, "ns", Better::lower, 100, 40,
+                                  median("product"), "1040 ns in OpenRadioss on another machine"});
+    });
+}
+
+void measure_threads(const BenchScene& scene, const BenchOptions& options, BenchResult& result) {
+    const Effort effort(options.quick);
+    std::vector<std::unique_ptr<ContactRun>> runs;
+    std::vector<std::unique_ptr<tbb::task_arena>> arenas;
+    Rounds rounds;
+    for (const int threads : options.threads) {
+        arenas.push_back(std::make_unique<tbb::task_arena>(threads));
+        runs.push_back(std::make_unique<ContactRun>(scene));
+        rounds.add(
+            std::to_string(threads),
+            [run = runs.back().get(), arena = arenas.back().get()] {
+                return arena->execute([&] { return run->next(true, false); });
+            },
+            2 * effort.cycles);
+    }
+    rounds.run(effort.repeats, effort.seconds);
+    std::vector<Vec3> first;
+    for (size_t i = 0; i < options.threads.size(); ++i) {
+        const Motion motion = scene.motion(runs[i]->cycle());
+        const ContactStep step = arenas[i]->execute([&] { return runs[i]->contact().step(motion); });
+        std::vector<Vec3> force{step.tool.force, step.tool.moment};
+        for (const NodeContact& node : step.nodes)
+            force.push_back(node.force);
+        if (i == 0) first = force;
+        const double ns = rounds.of(std::to_string(options.threads[i])).p50;
+        const double speed_up =
+            rounds.of_medians(std::to_string(options.threads[0]), std::to_string(options.threads[i]));
+        result.threads.push_back({scene.name, options.threads[i], ns, speed_up, force == first});
+        if (options.threads[0] == 1 && options.threads[i] == 2)
+            result.targets.push_back({"two threads against one", scene.name, "x", Better::higher, 1.8, 1.95, speed_up,
+                                      "needs two idle processors"});
+    }
+}
+
+}  // namespace type21::bench

@@ -1,0 +1,71 @@
+/// @file Stop-watch, repeats in turn, quantiles.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace type21::bench {
+
+/// Of one thread its processor time, since others may share the machine; of several the time on the wall.
+class Watch {
+  public:
+    explicit Watch(bool one_thread) : one_thread_(one_thread), from_(now()) {}
+    double nanoseconds() const { return now() - from_; }
+    double seconds() const { return 1e-9 * nanoseconds(); }
+
+  private:
+    double now() const {
+        timespec t{};
+        clock_gettime(one_thread_ ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+        return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+    }
+    bool one_thread_;
+    double from_;
+};
+
+/// Quantiles of repeats [ns]: the smallest number below or at which the share of them lies.
+struct Spread {
+    double p50 = 0, p95 = 0, max = 0, min = 0;
+};
+/// @throws std::invalid_argument without a number
+Spread spread(std::vector<double> times);
+
+/// Methods that are compared: each runs once a round, in turn, so that what slows the machine slows all of them.
+class Rounds {
+  public:
+    /// @param run    does its work once and returns the nanoseconds per node
+    /// @param times  runs so often in a round; negative: takes part in every so many rounds only,
+    ///               and not in the first to warm up
+    void add(std::string name, std::function<double()> run, int times = 1);
+    /// One round to warm up, which is not counted, then `repeats`, fewer (but 3) when they take longer.
+    /// @param seconds  of wall time
+    /// @return rounds that count
+    int run(int repeats, double seconds = 1e9);
+    bool has(const std::string& name) const;
+
+    Spread of(const std::string& name) const;
+    /// Median of the one over the median of the other; and the same of minima.
+    double of_medians(const std::string& slow, const std::string& fast) const;
+    double of_minima(const std::string& slow, const std::string& fast) const;
+
+  private:
+    struct Method {
+        std::string name;
+        std::function<double()> run;
+        int times = 1;
+        std::vector<double> times_taken;
+    };
+    const std::vector<double>& times_of(const std::string& name) const;
+    std::vector<Method> methods_;
+};
+
+/// Keeps a value from being optimized away.
+template <class Value>
+void keep(const Value& value) {
+    asm volatile("" : : "g"(&value) : "memory");
+}
+
+}  // namespace type21::bench

@@ -1,0 +1,114 @@
+#include "verification/bench/bench.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "verification/cli/exit_code.h"
+#include "verification/cli/verbs.h"
+#include "verification/record/run_deck.h"
+
+namespace type21::cli {
+namespace {
+
+struct Options {
+    std::string deck, json;
+    std::vector<std::string> sizes, nodes;
+    std::vector<int> threads{1, 2};
+    std::string check = "200k";
+    int cycles = 200;
+    bool quick = false, quiet = false;
+};
+
+std::vector<int> counts(const char* option, const std::vector<std::string>& words, int low, int high) {
+    std::vector<int> out;
+    for (const std::string& word : words) {
+        try {
+            out.push_back(bench::count_of(word, low, high));
+        } catch (const std::invalid_argument& error) {
+            throw UsageError(fmt::format("{}: {}", option, error.what()));
+        }
+    }
+    return out;
+}
+
+int run(const Options& options, const std::string& command) {
+    bench::BenchOptions bench;
+    bench.quick = options.quick;
+    const bool generated = options.deck.empty() || !options.sizes.empty();
+    if (generated) {
+        bench.sizes = counts("--sizes", options.sizes, 1000, 4000000);
+        if (bench.sizes.empty()) bench.sizes = {20000, 200000};
+        if (options.sizes.empty() && !options.quick) bench.sizes.push_back(1000000);
+    }
+    bench.nodes = counts("--nodes", options.nodes, 1000, 4000000);
+    if (options.nodes.empty() && !options.quick) bench.nodes = {10000, 1000000};
+    bench.threads = options.threads;
+    bench.check = counts("--check", {options.check}, 0, 1000000000).front();
+    bench.deck_cycles = options.cycles;
+    if (!options.deck.empty()) {
+        PreparedDeck prepared = prepare_deck(options.deck, "", true);
+        print_problems(prepared.problems);
+        if (!prepared.scene) return exit_deck;
+        bench.deck = std::move(prepared.scene);
+    }
+    if (!options.quiet) {
+        const auto start = std::chrono::steady_clock::now();
+        bench.progress = [start](const std::string& what) {
+            const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            fmt::print(stderr, "{:6.1f} s  {}\n", now, what);
+            std::fflush(stderr);
+        };
+    }
+    bench::BenchResult result = bench::run_bench(bench);
+    result.command = command;
+    fmt::print("{}", bench::to_text(result));
+    if (!options.json.empty()) write_report(options.json, bench::to_json(result));
+    return result.different() == 0 ? exit_ok : exit_mismatch;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "bench",
+        "Measure the optimized contact on this machine, against others that run in turn, and check its decisions");
+    const auto options = std::make_shared<Options>();
+    verb->add_option(
+        "DECK", options->deck,
+        "starter deck NAME_0000.rad whose cycles are timed in place of the generated scenes (with --sizes: "
+        "beside them)");
+    verb->add_option("--sizes", options->sizes, "triangles of the stamped pan (default: 20k,200k,1M)")->delimiter(',');
+    verb->add_option("--nodes", options->nodes, "more numbers of nodes above it (default: 10k,1M; with --quick: none)")
+        ->delimiter(',');
+    verb->add_option("--threads", options->threads, "numbers of threads to compare; all else runs on one")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    verb->add_option("--check", options->check, "decisions to compare with exact ones, 0 for none")
+        ->capture_default_str();
+    verb->add_option("--cycles", options->cycles, "of the deck, at most")
+        ->check(CLI::Range(3, 100000))
+        ->capture_default_str();
+    verb->add_flag("--quick", options->quick, "half a minute: 20k and 200k, few repeats");
+    verb->add_option("--json", options->json,
+                     "write the same as JSON to this file (the report reads build/report/bench.json)");
+    verb->add_flag("--quiet", options->quiet, "no progress");
+    verb->footer(
+        "Ratios compare medians of methods that ran in turn. Exit code 3 when a decision is not the exact one.");
+    verb->callback([options, &exit_code] {
+        std::string command = "type21 bench";
+        const auto add = [&](const std::string& text) { command += " " + text; };
+        if (!options->deck.empty()) add(options->deck);
+        if (options->quick) add("--quick");
+        if (!options->sizes.empty()) add(fmt::format("--sizes {}", fmt::join(options->sizes, ",")));
+        if (!options->nodes.empty()) add(fmt::format("--nodes {}", fmt::join(options->nodes, ",")));
+        if (options->check != "200k") add("--check " + options->check);
+        exit_code = run(*options, command);
+    });
+}
+
+}  // namespace type21::cli
