@@ -105,6 +105,7 @@ Json to_json(const Result& result) {
             {"cpu", build.cpu},
             {"compiler", build.compiler},
             {"flags", build.flags},
+            {"flags_optimized", TYPE21_FAST_FLAGS},
             {"build_type", build.build_type},
             {"clock", "processor time of the thread"},
             {"quick", result.options.quick},

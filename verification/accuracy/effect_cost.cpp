@@ -111,14 +111,19 @@ EffectCost cost_of(const EffectCard& card, const char* implementation, int nodes
 
 }  // namespace
 
-std::vector<EffectCost> effect_costs(bool quick, const std::function<void(const std::string&)>& progress) {
+EffectCost effect_cost(const EffectCard& card, bool fast, int nodes, int cycles) {
     // One thread: its processor time is that of the step.
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    return fast ? cost_of<optimized::Contact>(card, "optimized", nodes, cycles)
+                : cost_of<reference::Contact>(card, "reference", nodes, cycles);
+}
+
+std::vector<EffectCost> effect_costs(bool quick, const std::function<void(const std::string&)>& progress) {
     std::vector<EffectCost> costs;
     for (const EffectCard& card : effect_cards()) {
         if (progress) progress("effect: " + card.name);
-        costs.push_back(cost_of<reference::Contact>(card, "reference", quick ? 12 : 20, quick ? 15 : 60));
-        costs.push_back(cost_of<optimized::Contact>(card, "optimized", quick ? 48 : 80, quick ? 60 : 300));
+        costs.push_back(effect_cost(card, false, quick ? 12 : 20, quick ? 15 : 60));
+        costs.push_back(effect_cost(card, true, quick ? 48 : 80, quick ? 60 : 300));
     }
     return costs;
 }

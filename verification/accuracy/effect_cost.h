@@ -40,6 +40,10 @@ struct EffectCost {
     bool changes_forces = false;                           ///< on gives other forces or heat than off: it was at work
 };
 
+/// @param fast   the optimized implementation, else the reference
+/// @param nodes  along each side of the sheet
+EffectCost effect_cost(const EffectCard& card, bool fast, int nodes, int cycles);
+/// All of them, of both implementations.
 std::vector<EffectCost> effect_costs(bool quick, const std::function<void(const std::string&)>& progress);
 
 }  // namespace type21::accuracy
