@@ -23,9 +23,9 @@ struct Options {
     /// Decisions of a scene.
     size_t decisions() const { return quick ? 1344 : 20160; }
     /// Processor time that one method may take to be judged on one scene [s].
-    double judging_seconds() const { return quick ? 0.1 : 1.5; }
+    double judging_seconds() const { return quick ? 0.1 : 1.0; }
     /// Processor time of one repeat of one method, about [s].
-    double pass_seconds() const { return quick ? 0.0025 : 0.02; }
+    double pass_seconds() const { return quick ? 0.0025 : 0.015; }
 };
 
 struct SceneRow {

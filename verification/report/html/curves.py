@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 # Tol's muted colours: apart also for colour-blind readers.
@@ -71,6 +72,22 @@ def one_style(found):
         return found[0]
     style = styles.pop()
     return f"<g{found[1]}{style}>{found[2].replace(style, '')}</g>"
+
+
+def plain_log(axis):
+    """Ticks of a logarithmic axis at 1, 2, 5, written as they are."""
+    axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+def legend_below(figure, axes, columns):
+    """A legend of what `axes` draws under the whole figure, where a narrow screen shows it, too. For constrained layouts."""
+    handles, labels = axes.get_legend_handles_labels()
+    rows = -(-len(labels) // columns)
+    share = (0.19 * rows + 0.1) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
+    figure.legend(handles, labels, loc="lower left", bbox_to_anchor=(0, 0), ncol=columns, handlelength=1.4, columnspacing=1.2)
 
 
 def as_svg(figure, salt):
