@@ -13,7 +13,7 @@ namespace {
 
 constexpr int curve_points = 41;
 constexpr size_t most_curves = 3;
-constexpr double grid = 50;     // cells of the largest value along each axis
+constexpr double grid = 32;     // cells of the largest value along each axis
 constexpr double above = 1.15;  // of the largest pressure, to which curves are drawn
 constexpr size_t most_raw = 200000;
 

@@ -47,7 +47,7 @@ struct InterfaceLaws {
     std::vector<HeatPoint> heat;      ///< with Ithe only
 };
 
-/// Runs the scene and keeps of each interface the points that differ by more than 2 % of the largest.
+/// Runs the scene and keeps of each interface the points that differ by more than 3 % of the largest.
 /// A run that stops leaves what came about until then.
 std::vector<InterfaceLaws> law_points(const Scene& scene, const MakeContact& make, const MarchOptions& options = {});
 

@@ -26,6 +26,8 @@ def wrong_mark(axes, row, mark, colour, least):
     y = share if share > 0 else least
     times(axes, row, y, colour)
     axes.plot(row["ns"]["p50"], y, mark, color=colour, ms=6, mfc=colour if share > 0 else "white", zorder=3)
+    if row["undecided"]:
+        axes.plot(row["ns"]["p50"], max(row["undecided"] / row["decisions"], least), "x", color=colour, ms=5, mew=1.2, zorder=4)
 
 
 def force_mark(axes, row, mark, colour, least):
@@ -63,7 +65,7 @@ def draw_methods(rows, what):
         axes.set_ylabel("wrong, share" if what == "wrong" else "error [ulp]", fontsize=8)
     for number, name in enumerate(methods):
         panels[0, 0].plot([], [], "-", lw=4, color=curves.COLOURS[number % len(curves.COLOURS)], label=name)
-    panels[-1, 0].set_xlabel("ns a decision; mark: median, bar: to p95, line: to max" if what == "wrong" else "ns a decision; mark: largest error, dash: 99th percentile")
+    panels[-1, 0].set_xlabel("ns a decision; mark: median, bar: to p95, line: to max; cross: share that it cannot tell" if what == "wrong" else "ns a decision; mark: largest error, dash: 99th percentile")
     curves.legend_below(figure, panels[0, 0], 4)
     return curves.as_svg(figure, f"accuracy-{what}")
 

@@ -96,7 +96,7 @@ def section(found, store):
     if not isinstance(found, dict) or not found.get("rows"):
         return None
     code = digest(HERE / "bench.py", HERE / "curves.py")
-    figures = {}
+    figures = dict.fromkeys(("ratios", "stages", "growth"))
     for name, title, draw, note in (("ratios", "How many times as fast", draw_ratios, note_on_ratios), ("stages", "Where the time of a step goes", draw_stages, note_on_stages),
                                     ("growth", "Time against the size of the tool", draw_growth, note_on_growth)):
         rows = found.get(name) or []

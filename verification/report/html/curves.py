@@ -128,6 +128,10 @@ def draw(panels, time_unit, units, salt):
         elif panel.log:
             axes.set_yscale("log")
             axes.text(0.01, 0.5, "no difference in any bit", transform=axes.transAxes, color="#555555")
+        least, most = axes.get_ylim()
+        if not panel.log and most - least < 1e-5 * max(abs(least), abs(most)):
+            # Constant to rounding: ticks that only differ in their last digit say nothing.
+            axes.set_ylim(*sorted((0.9 * least, 1.1 * most) if least > 0 else (1.1 * least, 0.9 * most)))
         handles, labels = axes.get_legend_handles_labels()
         if handles:
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2, borderaxespad=0.3)

@@ -12,8 +12,8 @@ ULP = 2.0**-52
 
 
 def asks(case):
-    """Names of the runs whose contact rubs, has a limit of the pressure or conducts heat."""
-    wanted = ("friction (", "limit of the contact pressure", "heat exchange")
+    """Names of the runs to look at: of the families of laws those that rub or limit the pressure, of all cases those that conduct heat."""
+    wanted = ("heat exchange", *(("friction (", "limit of the contact pressure") if case.family in ("friction law", "Pmax limit") else ()))
     return [name for name, run in case.run_json.items()
             if any(effect.startswith(wanted) for interface in run["interfaces"] for effect in interface["effects"])]
 
