@@ -38,6 +38,8 @@ int run(int argc, char** argv) {
     cli::add_lockstep(app, code);
     cli::add_mutate(app, code);
     cli::add_stability(app, code);
+    cli::add_accuracy(app, code);
+    cli::add_laws(app, code);
     cli::add_atlas(app, code);
     cli::add_fuzz(app, code);
     cli::add_replay(app, code);

@@ -17,6 +17,8 @@ void add_decide(CLI::App& app, int& exit_code);
 void add_lockstep(CLI::App& app, int& exit_code);
 void add_mutate(CLI::App& app, int& exit_code);
 void add_stability(CLI::App& app, int& exit_code);
+void add_accuracy(CLI::App& app, int& exit_code);
+void add_laws(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_fuzz(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);

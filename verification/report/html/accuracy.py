@@ -1,110 +1,122 @@
-"""Accuracy against time, from build/report/bench.json:
-
-  {"command": "type21 bench ...", "cpu": "...", "flags": "...", "repeats": 9,
-   "rows": [{"scene": "bowl", "kind": "common", "method": "double + filter", "implementation": "optimized",
-             "ns": {"p50": 61, "p95": 64, "max": 80}, "decisions": 100489, "wrong": 0,
-             "force": {"ulps_max": 3, "ulps_p99": 1, "relative_max": 2e-16, "relative_p99": 1e-16}}],
-   "effects": [{"effect": "Coulomb friction", "ns_off": 50.1, "ns_on": 53.0, "ns_absent": 50.0}]}
-
-ns are per node and cycle over the repeats. Whatever a row leaves out is left out of the figure and shown as a dash."""
+"""Accuracy against time, from build/report/accuracy.json (verification/accuracy/README.md has its format)."""
 
 from pathlib import Path
 
+import words
+from accuracy_figures import draw_effects, draw_funnel, draw_methods, draw_search
 from store import digest
 
 HERE = Path(__file__).resolve().parent
 
 
-def rows_of(found):
-    """Rows that have a method and a time; nested groups made flat. `ns` may be one number."""
-    out = []
-    for row in found.get("rows") or found.get("results") or []:
-        if not isinstance(row, dict) or "method" not in row:
-            continue
-        ns = row.get("ns", row.get("ns_per_node_cycle"))
-        ns = ns if isinstance(ns, dict) else {"p50": ns} if isinstance(ns, (int, float)) else {}
-        force = row.get("force") or {}
-        wrong, decisions = row.get("wrong"), row.get("decisions")
-        out.append({"scene": row.get("scene", ""), "method": row["method"], "implementation": row.get("implementation", ""),
-                    "p50": ns.get("p50", ns.get("median")), "p95": ns.get("p95"), "max": ns.get("max"), "wrong": wrong, "decisions": decisions,
-                    "share": wrong / decisions if decisions and wrong is not None else None,
-                    "ulps_max": force.get("ulps_max"), "ulps_p99": force.get("ulps_p99"), "relative_max": force.get("relative_max"),
-                    "relative_p99": force.get("relative_p99")})
-    return [row for row in out if row["p50"]]
-
-
-def draw(rows, scenes, what, title, salt):
-    """One axis of time, one of error; a method is a colour, a scene a mark, the line goes from p50 to p95."""
-    import curves
-    import matplotlib.pyplot as plt
-
-    methods = list(dict.fromkeys(f"{row['implementation']} {row['method']}".strip() for row in rows))
-    shown = [row for row in rows if row[what] is not None]
-    least = min((row[what] for row in shown if row[what] > 0), default=1.0)
-    figure, axes = plt.subplots(figsize=(6.6, 3.4), layout="constrained")
-    for row in shown:
-        colour = curves.COLOURS[methods.index(f"{row['implementation']} {row['method']}".strip()) % len(curves.COLOURS)]
-        mark = "osD^vPX*"[scenes.index(row["scene"]) % 8]
-        y = row[what] if row[what] > 0 else least / 10
-        axes.plot([row["p50"], row["p95"] or row["p50"]], [y, y], "-", color=colour, lw=1)
-        axes.plot(row["p50"], y, mark, color=colour, ms=6, mfc="white" if row[what] == 0 else colour)
-    for number, name in enumerate(methods):
-        axes.plot([], [], "-", lw=4, color=curves.COLOURS[number % len(curves.COLOURS)], label=name)
-    for number, name in enumerate(scenes):
-        axes.plot([], [], "osD^vPX*"[number % 8], color="#555555", mfc="none", label=name)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    if any(row[what] == 0 for row in shown):
-        axes.axhline(least / 10, color="#bbbbbb", lw=0.6, ls=":")
-        axes.annotate("none", (0.005, least / 10), xycoords=("axes fraction", "data"), va="bottom", fontsize=8, color="#555555")
-    axes.set_xlabel("ns per node and cycle (mark: median, line: to the 95th percentile)")
-    axes.set_title(title)
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return curves.as_svg(figure, salt)
-
-
 def name_of(row):
-    return f"{row['implementation']} {row['method']}".strip()
+    return ", ".join(word for word in (row["implementation"], row["method"]) if word)
 
 
-def note_on_decisions(rows, scene):
-    """One sentence: who is fastest without an error, and what the fastest of all gets wrong."""
-    mine = [row for row in rows if row["scene"] == scene and row["wrong"] is not None]
-    right = min((row for row in mine if row["wrong"] == 0), key=lambda row: row["p50"], default=None)
-    first = min(mine, key=lambda row: row["p50"], default=None)
-    if not mine:
-        return ""
-    if right is None:
-        return f"On {scene} every method decides something wrongly."
-    text = f"On {scene} the fastest method without a wrong decision is {name_of(right)} with {right['p50']:.4g} ns"
-    if first is not right:
-        text += f"; {name_of(first)} needs {first['p50']:.4g} ns and gets {first['wrong']} of {first['decisions']} wrong"
-    else:
-        text += ", and none is faster"
-    return text + "."
+def note_on_decisions(rows):
+    """One sentence: what it costs to be right always, against plain double, and what plain double gets wrong."""
+    text = []
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        mine = [row for row in rows if row["scene"] == scene]
+        right = min((row for row in mine if row["wrong"] == 0 and row["undecided"] == 0), key=lambda row: row["ns"]["p50"], default=None)
+        plain = next((row for row in mine if row["method"] == "double"), None)
+        if plain is None:
+            continue
+        errs = f"plain double gets {words.percent(plain['wrong'], plain['decisions'])} wrong in {words.nanoseconds(plain['ns']['p50'])}"
+        if right is plain:
+            text.append(f"on {scene} plain double happens to be right, in {words.nanoseconds(plain['ns']['p50'])}")
+        elif right is None:
+            text.append(f"on {scene} {errs} and NO method is always right")
+        else:
+            text.append(f"on {scene} {errs}, '{name_of(right)}' none in {words.nanoseconds(right['ns']['p50'])}")
+    out = "; ".join(text)
+    return out[:1].upper() + out[1:] + "." if out else ""
 
 
 def note_on_forces(rows):
-    known = [row for row in rows if row["ulps_max"] is not None]
-    worst = max(known, key=lambda row: row["ulps_max"], default=None)
-    return "" if worst is None else (f"The largest force error is {worst['ulps_max']:.4g} ulps, of {name_of(worst)} on {worst['scene']}.")
+    """What exact decisions are worth to the forces: the worst of methods with and without a promise."""
+    text = []
+    for promise, word in ((False, "without"), (True, "with")):
+        known = [row for row in rows if row["exact"] == promise and "ulps_max" in row["force"]]
+        worst = max(known, key=lambda row: row["force"]["relative_max"], default=None)
+        if worst:
+            text.append(f"the largest relative error of a force {word} a promise of exact decisions is {worst['force']['relative_max']:.2g} "
+                        f"('{name_of(worst)}' on {worst['scene']}: {worst['force']['ulps_max']:.2g} ulps)")
+    out = "; ".join(text)
+    easy = [row["force"]["relative_max"] for row in rows if row["exact"] and row["kind"] != "adversarial" and "relative_max" in row["force"]]
+    if easy:
+        out += f"; on easy and common scenes methods with that promise stay below {max(easy):.2g}"
+    return out[:1].upper() + out[1:] + "." if out else ""
+
+
+def note_on_search(rows):
+    text = []
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        mine = [row for row in rows if row["scene"] == scene]
+        first, last = (pick(mine, key=lambda row: row["ns"]["p50"]) for pick in (min, max))
+        text.append(f"on {scene} '{name_of(first)}' is {words.number(float(format(last['ns']['p50'] / first['ns']['p50'], '.2g')), 2)} times as fast as '{name_of(last)}'")
+    wrong = sum(row["wrong"] for row in rows)
+    return f"With {'the same answers' if not wrong else f'{wrong} WRONG answers'}, " + "; ".join(text) + "."
+
+
+def note_on_funnel(funnels):
+    """Per kind of scene, the share that each implementation settles in its first arithmetic."""
+    text = []
+    for implementation in dict.fromkeys(row["implementation"] for row in funnels):
+        parts = []
+        for row in (row for row in funnels if row["implementation"] == implementation):
+            decided = sum(stage["settled"] for stage in row["stages"])
+            last = row["stages"][-1]
+            parts.append(f"{words.percent(last['settled'], decided)} of {row['scene']}" + (f" ({words.nanoseconds(last['ns']['p50'])} each)" if "ns" in last else ""))
+        text.append(f"The {implementation} needs its last and slowest stage for " + ", ".join(parts))
+    return ". ".join(text) + "."
+
+
+def note_on_effects(effects):
+    """Whether off is free, as a statement about numbers, and what costs most."""
+    other = [row["effect"] for row in effects if not row["same_program"] or row["bytes_off"] != row["bytes_absent"]]
+    beyond = [row for row in effects if abs(row["off_ratio"] - 1) > 3 * row["off_error"]]
+    furthest = max(effects, key=lambda row: abs(row["off_ratio"] - 1))
+    text = ("An effect that is off is not there: each scene plans the same effects and holds the same bytes a node as without it"
+            if not other else f"NOT free when off: {', '.join(dict.fromkeys(other))}")
+    text += (f"; the times differ by at most {100 * abs(furthest['off_ratio'] - 1):.2g} % ({furthest['effect']}, {furthest['implementation']}, "
+             f"standard error {100 * furthest['off_error']:.2g} %), {len(beyond)} of {len(effects)} by more than three standard errors")
+    fast = [row for row in effects if row["implementation"] == "optimized"]
+    if fast:
+        most = max(fast, key=lambda row: row["extra_ns"])
+        text += f". Of the optimized ones {most['effect']} costs most when on, {most['extra_ns']:.3g} ± {most['extra_error']:.2g} ns a node and cycle"
+    return text + ". Bars in the figure: two standard errors."
+
+
+def figures_of(found, store):
+    rows = found["rows"]
+    arithmetic = [row for row in rows if row["group"] == "arithmetic"]
+    search = [row for row in rows if row["group"] == "search"]
+    code = digest(HERE / "accuracy_figures.py", HERE / "curves.py")
+
+    def one(name, title, note, data, draw):
+        svg = store.get(f"accuracy-{name}", digest(code, repr(data)), lambda: draw(data))
+        return {"svg": svg, "title": title, "note": note}
+
+    out = [one("wrong", "Share of wrong decisions against time for each method",
+               note_on_decisions(arithmetic), arithmetic, lambda data: draw_methods(data, "wrong")),
+           one("force", "Error of the force against time for each method", note_on_forces(arithmetic), arithmetic, lambda data: draw_methods(data, "force"))]
+    if search:
+        out.append(one("search", "Time of a decision with the search for candidates", note_on_search(search), search, draw_search))
+    return out
 
 
 def section(found, store):
-    """Figures with their notes and tables; None without a bench.json that says anything."""
-    if not isinstance(found, dict):
+    """Figures with their notes and tables; None without an accuracy.json."""
+    if not isinstance(found, dict) or not found.get("rows"):
         return None
-    rows = rows_of(found)
-    if not rows:
-        return None
-    scenes = list(dict.fromkeys(row["scene"] for row in rows))
-    key = digest(HERE / "accuracy.py", HERE / "curves.py", repr(rows))
-    figures = []
-    for what, title, note in (("share", "wrong decisions, share of all", " ".join(note_on_decisions(rows, scene) for scene in scenes)),
-                              ("ulps_max", "largest force error [ulp]", note_on_forces(rows))):
-        if any(row[what] is not None for row in rows):
-            svg = store.get(f"bench-{what}", key, lambda w=what, t=title: draw(rows, scenes, w, t, w))
-            figures.append({"svg": svg, "title": title, "note": note})
-    effects = [effect for effect in found.get("effects", []) if isinstance(effect, dict) and "effect" in effect]
-    about = {name: found[name] for name in ("command", "cpu", "compiler", "flags", "repeats", "version", "commit") if found.get(name)}
-    return {"rows": rows, "figures": figures, "effects": effects, "about": about}
+    about = {name: found[name] for name in ("command", "cpu", "compiler", "flags", "flags_optimized", "repeats", "seed", "clock", "commit") if found.get(name) not in (None, "")}
+    out = {"about": about, "scenes": found["scenes"], "rows": found["rows"], "figures": figures_of(found, store), "funnel": None, "effects": None}
+    code = digest(HERE / "accuracy_figures.py", HERE / "curves.py")
+    if found["funnel"]:
+        svg = store.get("accuracy-funnel", digest(code, repr(found["funnel"])), lambda: draw_funnel(found["funnel"]))
+        out["funnel"] = {"svg": svg, "title": "Share of the decisions that each stage settles", "note": note_on_funnel(found["funnel"]), "rows": found["funnel"]}
+    if found["effects"]:
+        svg = store.get("accuracy-effects", digest(code, repr(found["effects"])), lambda: draw_effects(found["effects"]))
+        out["effects"] = {"svg": svg, "title": "What each effect costs on and off", "note": note_on_effects(found["effects"]), "rows": found["effects"]}
+    return out

@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 from urllib.parse import unquote
 from xml.etree import ElementTree
 
-SECTIONS = ("verdict", "families", "cases", "hard-cases", "departures", "accuracy", "traceability", "machine")
+SECTIONS = ("verdict", "families", "cases", "hard-cases", "departures", "accuracy", "speed", "lockstep", "traceability", "machine")
 LOADS = {"img": "src", "script": "src", "link": "href", "iframe": "src", "object": "data", "source": "src", "video": "src", "audio": "src", "use": "href"}
 VOID = {"meta", "img", "br", "hr", "input", "link", "source", "col"}
 

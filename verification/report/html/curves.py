@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import numpy as np  # noqa: E402
 
 # Tol's muted colours: apart also for colour-blind readers.
@@ -73,6 +74,22 @@ def one_style(found):
     return f"<g{found[1]}{style}>{found[2].replace(style, '')}</g>"
 
 
+def plain_log(axis):
+    """Ticks of a logarithmic axis at 1, 2, 5, written as they are."""
+    axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+def legend_below(figure, axes, columns):
+    """A legend of what `axes` draws under the whole figure, where a narrow screen shows it, too. For constrained layouts."""
+    handles, labels = axes.get_legend_handles_labels()
+    rows = -(-len(labels) // columns)
+    share = (0.19 * rows + 0.1) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
+    figure.legend(handles, labels, loc="lower left", bbox_to_anchor=(0, 0), ncol=columns, handlelength=1.4, columnspacing=1.2)
+
+
 def as_svg(figure, salt):
     """SVG text with coordinates of 2 digits behind the point and the reader's own sans-serif font."""
     plt.rcParams["svg.hashsalt"] = salt
@@ -111,6 +128,10 @@ def draw(panels, time_unit, units, salt):
         elif panel.log:
             axes.set_yscale("log")
             axes.text(0.01, 0.5, "no difference in any bit", transform=axes.transAxes, color="#555555")
+        least, most = axes.get_ylim()
+        if not panel.log and most - least < 1e-5 * max(abs(least), abs(most)):
+            # Constant to rounding: ticks that only differ in their last digit say nothing.
+            axes.set_ylim(*sorted((0.9 * least, 1.1 * most) if least > 0 else (1.1 * least, 0.9 * most)))
         handles, labels = axes.get_legend_handles_labels()
         if handles:
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2, borderaxespad=0.3)

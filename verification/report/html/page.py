@@ -10,9 +10,12 @@ import jinja2
 from markupsafe import Markup
 
 import accuracy
+import bench
 import departures
 import hard_cases
+import lockstep
 import pictures
+import sliding
 import tally
 import words
 from sources import read_json
@@ -125,7 +128,9 @@ def make(sources, store, options):
         notes={case.name: note_on_curves(case, drawn[case.name]) for case in cases},
         families=hard_cases.families(options.type21, options.cases / "decisions", store),
         atlas=hard_cases.atlas(options.type21, options.cases / "atlas", store),
-        departures=departures.table(options.type21, cases), accuracy=accuracy.section(sources.beside("bench.json"), store),
+        departures=departures.table(options.type21, cases), accuracy=accuracy.section(sources.beside("accuracy.json"), store),
+        bench=bench.section(sources.beside("bench.json"), store), lockstep=lockstep.section(sources.beside("lockstep.json"), store),
+        sliding=sliding.figure(sources.beside("stability.json"), store),
         trace=sources.beside("traceability.json"), machine=machine(sources, runs),
         style=Markup((HERE / "templates/style.css").read_text()),
         script=Markup((HERE / "templates/page.js").read_text()))

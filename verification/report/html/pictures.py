@@ -7,7 +7,7 @@ from sources import table_or_none
 from store import digest
 
 HERE = Path(__file__).resolve().parent
-CODE = digest(*(HERE / name for name in ("pictures.py", "scene.py", "histories.py", "curves.py", "sources.py")))
+CODE = digest(*(HERE / name for name in ("pictures.py", "scene.py", "histories.py", "curves.py", "laws.py", "sources.py")))
 UNITS = {("Mg", "mm", "s"): {"force": "N", "energy": "mJ"}, ("kg", "m", "s"): {"force": "N", "energy": "J"},
          ("kg", "mm", "ms"): {"force": "kN", "energy": "J"}, ("g", "mm", "ms"): {"force": "N", "energy": "mJ"}}
 
@@ -36,6 +36,7 @@ def draw_scene(case, program):
 def draw_case(case, program):
     import curves  # matplotlib takes a second to load, and is not needed when nothing changed
     import histories
+    import laws
 
     out = {"scene": draw_scene(case, program), "curves": "", "runs": [], "optimized": None}
     panels, runs, out["optimized"] = histories.panels_of(case)
@@ -47,6 +48,7 @@ def draw_case(case, program):
         out["expected"] = any(line.style == "expected" for panel in panels for line in panel.lines)
         out["other"] = any(line.style == "other" for panel in panels for line in panel.lines)
         out["tolerance"] = any(line.style == "tolerance" for panel in panels for line in panel.lines)
+    out["laws"] = laws.figure(case, program)
     return out
 
 

@@ -23,6 +23,14 @@ def small(value):
     return "0" if value == 0 else f"{value:.1e}".replace("-", "−")
 
 
+def nanoseconds(value):
+    """A time to read: three digits and a unit."""
+    for limit, unit in ((1e3, "ns"), (1e6, "µs"), (1e9, "ms")):
+        if value < limit:
+            return f"{value * 1e3 / limit:.3g} {unit}"
+    return f"{value * 1e-9:.3g} s"
+
+
 def percent(part, whole):
     if not whole:
         return "–"

@@ -105,25 +105,92 @@ class Page(unittest.TestCase):
                 self.assert_has(self.text, old)
                 self.assertIn(complaint, self.check(self.text.replace(old, new, 1)))
 
-    def test_mutations_and_costs_are_shown_when_they_are_there(self):
-        self.assert_has(self.text, "build/report/mutation.json is not there")
-        self.assert_has(self.text, "Not measured")
-        mutations = [{"effect": "Pmax", "broken": "infinite", "case": "pmax_plateau", "red": red} for red in (True, False)]
-        rows = [{"scene": "bowl", "method": name, "ns": {"p50": time, "p95": 1.1 * time, "max": 2 * time}, "decisions": 1000, "wrong": wrong,
-                 "force": {"ulps_max": 3, "ulps_p99": 1}} for name, time, wrong in (("double", 20.0, 7), ("filtered", 31.0, 0))]
-        (FOLDER / "mutation.json").write_text(json.dumps({"mutations": mutations}))
-        (FOLDER / "bench.json").write_text(json.dumps({"rows": rows, "effects": [{"effect": "friction", "ns_on": 5}]}))
+    def with_files(self, files):
+        """The text of a page made with these JSON files beside it."""
+        for name, value in files.items():
+            (FOLDER / name).write_text(json.dumps(value))
         try:
             done = report(out="more.html")
             self.assertEqual(done.returncode, 0, done.stderr)
             text = (FOLDER / "more.html").read_text()
-            self.assert_has(text, "1 of 2 broken effects turned a check red")
-            self.assert_has(text, "the fastest method without a wrong decision is filtered with 31 ns; double needs 20 ns and gets 7 of 1000 wrong")
             self.assertEqual(self.check(text), "")
+            return text
         finally:
-            (FOLDER / "mutation.json").unlink()
-            (FOLDER / "bench.json").unlink()
+            for name in files:
+                (FOLDER / name).unlink()
             report()
+
+    def asked(self, *words):
+        """What the program writes with --json."""
+        out = FOLDER / "asked.json"
+        subprocess.run([TYPE21, *words, "--json", out], check=True, capture_output=True, cwd=ROOT)
+        return json.loads(out.read_text())
+
+    def test_what_was_not_run_is_said(self):
+        for words in ("build/report/mutation.json is not there", "type21 accuracy --json build/report/accuracy.json", "type21 bench --json build/report/bench.json",
+                      "type21 lockstep --json build/report/lockstep.json"):
+            self.assert_has(self.text, words)
+        for section in ("accuracy", "speed", "lockstep"):
+            self.assertRegex(self.text.split(f'<section id="{section}">')[1].split("</section>")[0], "Not (measured|compared)")
+
+    def test_mutations_are_shown_when_they_are_there(self):
+        mutations = [{"effect": "Pmax", "broken": "infinite", "case": "pmax_plateau", "red": red} for red in (True, False)]
+        self.assert_has(self.with_files({"mutation.json": {"mutations": mutations}}), "1 of 2 broken effects turned a check red")
+
+    def test_accuracy_is_told_in_numbers_of_the_file(self):
+        found = self.asked("accuracy", "--quick", "--quiet", "--repeats", "3", "--scene", "mesh_flat", "--scene", "adversarial")
+        effect = {"effect": "friction", "off_means": "Fric 0", "implementation": "optimized", "call": "step_lean", "nodes": 9, "cycles": 5, "extra_ns": 7.5,
+                  "extra_error": 0.5, "off_ratio": 1.01, "off_error": 0.02, "same_ratio": 1.0, "same_program": True, "bytes_absent": 8, "bytes_off": 8,
+                  "bytes_on": 16, "acts": True} | {f"ns_{name}": {"p50": 50.0, "p95": 51.0, "max": 60.0, "min": 49.0} for name in ("absent", "off", "on")}
+        found["effects"] = [effect]
+        plain = next(row for row in found["rows"] if row["scene"] == "mesh_flat" and row["method"] == "double")
+        plain |= {"wrong": 5, "decisions": 20, "ns": {"p50": 1234.0, "p95": 1300.0, "max": 1400.0, "min": 1200.0}}
+        text = self.with_files({"accuracy.json": found})
+        self.assert_has(text, "On mesh_flat plain double gets 25 % wrong in 1.23 µs, &#39;optimized, in stages&#39; none in ")
+        self.assert_has(text, "costs most when on, 7.5 ± 0.5 ns a node and cycle")
+        self.assert_has(text, "An effect that is off is not there")
+        self.assert_has(text, found["cpu"])
+        self.assert_has(text, found["flags_optimized"])
+        effect["same_program"] = False
+        next(row for row in found["rows"] if row["exact"])["wrong"] = 3
+        text = self.with_files({"accuracy.json": found})
+        self.assert_has(text, "NOT free when off: friction")
+        self.assert_has(text, '<span class="bad">3</span>')
+
+    def test_speed_says_which_targets_are_missed(self):
+        row = {"scene": "bowl", "implementation": "optimized", "method": "step", "ns": {"p50": 60.0}, "decisions": 10, "wrong": 0}
+        ratios = [{"scene": "bowl", "what": "step against search", "slow": "search", "fast": "step", "of_medians": value} for value in (0.5, 4.0)]
+        targets = [{"target": name, "scene": "bowl", "unit": "x", "better": "higher", "at_least": 10, "aim": 20, "measured": 5, "reached": reached, "note": ""}
+                   for name, reached in (("one", "no"), ("other", "aim"))]
+        growth = [{"scene": "a", "segments": 100, "coherent": 10.0}, {"scene": "b", "segments": 1000, "coherent": 20.0}]
+        text = self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3, "ratios": ratios, "targets": targets, "growth": growth}})
+        self.assert_has(text, "1 of 2 targets reached")
+        self.assert_has(text, "NOT REACHED")
+        self.assert_has(text, "in 1 of 2 the other one is faster")
+        self.assert_has(text, "On a tool with 10 times the segments coherent takes 2 times as long.")
+        self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3}})
+
+    def test_lockstep_and_sliding_are_shown(self):
+        steps = self.asked("lockstep", "flat_press", "--quiet")
+        jumps = {"first_step_mm": 0.02, "holds": True, "residual_bound": {"normal": 1.0, "friction": 1.0}}
+        jumps |= {name: {"largest_jump": [4.0, 2.0, 1.0], "residual": 0.0} for name in ("normal", "friction")}
+        jumps |= {f"facet_{name}": {"largest_jump": [9.0, 9.0, 9.0], "residual": 9.0} for name in ("normal", "friction")}
+        stays = jumps | {"tool": "flat", "mesh": "warped", "normal": {"largest_jump": [2.0, 2.0, 1.8], "residual": 1.8}}
+        text = self.with_files({"lockstep.json": steps, "stability.json": {"sliding": [jumps | {"tool": "flat", "mesh": "quad"}, stays]}})
+        self.assert_has(text, "were compared, none differs")
+        self.assert_has(text, "On 1 of 2 tools the jump of the normal force halves")
+        self.assert_has(text, "on flat warped a part of it stays, at most 20 % of that of facet normals")
+        steps["runs"][0] |= {"different": 7, "ok": False}
+        steps["all"]["different"], steps["ok"] = 7, False
+        text = self.with_files({"lockstep.json": steps})
+        self.assert_has(text, "7 DIFFER")
+        self.assert_has(text, "1 run DIFFER")
+
+    def test_a_case_shows_the_laws_that_it_has_been_on(self):
+        self.assert_has(self.text, "Rings: |Fₜ| / |Fₙ| of nodes that slip, 0.086 to 0.741; lines: the law of the card at their speeds, dotted that of the optimized "
+                                   "implementation, equal in every bit")
+        self.assertRegex(self.text, r"Run page\. The pressure stays at Pmax for penetrations from 0.01\d* to 0.0[45]\d* mm")
+        self.assertRegex(self.text, "[Hh]eat flows through")
 
     def test_without_results_it_says_who_makes_them(self):
         done = report(results="none.json", out="none.html")
