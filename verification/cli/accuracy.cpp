@@ -12,7 +12,7 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct AccuracyArguments {
     accuracy::Options measure;
     std::string json;
     bool quiet = false, list = false;
@@ -25,7 +25,7 @@ std::vector<std::string> scene_names() {
     return names;
 }
 
-int run(Options options) {
+int run(AccuracyArguments options) {
     if (options.list) {
         for (const accuracy::SceneKind& kind : accuracy::scene_kinds())
             fmt::print("{:<12} {:<12} {}\n", kind.name, kind.kind, kind.what);
@@ -43,7 +43,7 @@ int run(Options options) {
 void add_accuracy(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "accuracy", "What accuracy costs in time: number types, implementations, searches and effects side by side");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<AccuracyArguments>();
     verb->add_flag("--quick", options->measure.quick, "fewer decisions and repeats, some 20 s; else some 3 minutes");
     verb->add_option("--repeats", options->measure.repeats, "of each time (default: 21 when quick, else 41)")
         ->check(CLI::Range(1, 100000));

@@ -12,12 +12,12 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct AtlasArguments {
     std::vector<std::string> names;
     std::string folder = "cases/atlas", with = "reference", json;
 };
 
-int show(const Options& options) {
+int show(const AtlasArguments& options) {
     std::vector<std::string> problems;
     const std::vector<AtlasEntry> entries = read_atlas(options.folder, options.names, problems);
     for (const std::string& problem : problems)
@@ -51,7 +51,7 @@ int show(const Options& options) {
 
 void add_atlas(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("atlas", "Answer the atlas of hard cases and compare with the exact answers");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<AtlasArguments>();
     verb->add_option("NAMES", options->names, "entries (default: all)");
     verb->add_option("--folder", options->folder, "where the entries are")->capture_default_str();
     verb->add_option("--with", options->with, "reference, optimized, exact, double: who answers")

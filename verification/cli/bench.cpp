@@ -14,7 +14,7 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct BenchArguments {
     std::string deck, json;
     std::vector<std::string> sizes, nodes;
     std::vector<int> threads{1, 2};
@@ -35,7 +35,7 @@ std::vector<int> counts(const char* option, const std::vector<std::string>& word
     return out;
 }
 
-int run(const Options& options, const std::string& command) {
+int run(const BenchArguments& options, const std::string& command) {
     bench::BenchOptions bench;
     bench.quick = options.quick;
     const bool generated = options.deck.empty() || !options.sizes.empty();
@@ -76,7 +76,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "bench",
         "Measure the optimized contact on this machine, against others that run in turn, and check its decisions");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchArguments>();
     verb->add_option(
         "DECK", options->deck,
         "starter deck NAME_0000.rad whose cycles are timed in place of the generated scenes (with --sizes: "

@@ -10,12 +10,12 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
     std::string deck, as_built, json;
     bool geometry = false;
 };
 
-int check(const Options& options) {
+int check(const CheckArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, false);
     print_problems(prepared.problems);
     if (!prepared.scene) {
@@ -40,7 +40,7 @@ int check(const Options& options) {
 void add_check(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("check", "Read a deck, resolve it, and say what would be computed; nothing is run");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CheckArguments>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
     add_as_built(*verb, options->as_built);
     CLI::Option* json = verb->add_option("--json", options->json, "write the same as JSON to this file");

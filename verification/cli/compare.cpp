@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CompareArguments {
     std::string ours, reference, json;
     std::optional<double> tolerance;
     std::vector<std::string> columns;
@@ -34,14 +34,14 @@ std::string as_built_of(const fs::path& folder) {
     return json["as_built"];
 }
 
-int report(const FolderComparison& comparison, const Options& options) {
+int report(const FolderComparison& comparison, const CompareArguments& options) {
     fmt::print("{}", to_text(comparison));
     if (!options.json.empty()) write_report(options.json, to_json(comparison));
     return comparison.ok() ? exit_ok : exit_mismatch;
 }
 
 /// A file that cannot be read is as a deck with errors: what is wrong and where, exit code 2.
-int compare_with_file(const Options& options) {
+int compare_with_file(const CompareArguments& options) {
     try {
         return report(compare_file(options.ours, options.reference, {options.tolerance, options.columns, {}}), options);
     } catch (const T01Error& error) {
@@ -54,7 +54,7 @@ int compare_with_file(const Options& options) {
     return exit_deck;
 }
 
-int compare(const Options& options) {
+int compare(const CompareArguments& options) {
     require_folder(options.ours);
     if (std::error_code error; fs::is_regular_file(options.reference, error)) return compare_with_file(options);
     require_folder(options.reference);
@@ -85,7 +85,7 @@ void add_compare(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "compare",
         "Compare the histories of a run with another run, a case, an OpenRadioss time-history file or a CSV");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CompareArguments>();
     verb->add_option("OURS", options->ours, "folder of a run")->required();
     verb->add_option("REFERENCE", options->reference,
                      "folder of another run or of a case, a time-history file of OpenRadioss (NAMET01), or a CSV with "

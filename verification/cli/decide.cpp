@@ -13,11 +13,11 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct DecideArguments {
     std::string file, out, with = "reference";
 };
 
-int decide_file(const Options& options) {
+int decide_file(const DecideArguments& options) {
     std::vector<std::string> problems;
     DecisionFile file = read_decisions(options.file, problems);
     for (const std::string& problem : problems)
@@ -50,7 +50,7 @@ int decide_file(const Options& options) {
 void add_decide(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "decide", "Answer geometric questions: which segment, which side, contact or not, how close to another answer");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DecideArguments>();
     verb->add_option("FILE", options->file,
                      "JSON with blocks of tool and queries (README, 'Ask about a configuration')")
         ->required();

@@ -13,13 +13,13 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct ExplainArguments {
     std::string what, as_built, thickness, json, cases = "cases";
     std::optional<Id> node, interface;
     std::optional<double> time;
 };
 
-int explain_node(const Options& options) {
+int explain_node(const ExplainArguments& options) {
     if (!options.node || !options.time)
         throw UsageError("a deck is explained for one node at one time: give --node and --time");
     const PreparedDeck prepared = prepare_deck(options.what, options.as_built, true, options.thickness);
@@ -53,7 +53,7 @@ std::vector<CaseCover> covers_of(const std::string& folder) {
 }
 
 /// A field of the card or a departure; nothing where the word is neither.
-std::optional<std::string> word_text(const Options& options) {
+std::optional<std::string> word_text(const ExplainArguments& options) {
     if (const FieldHelp* help = find_field_help(options.what)) return field_text(*help, covers_of(options.cases));
     std::string word = options.what;
     if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
@@ -69,7 +69,7 @@ std::string known_words() {
     return out + "D01 to D37";
 }
 
-int explain(const Options& options) {
+int explain(const ExplainArguments& options) {
     if (options.node || options.time) return explain_node(options);
     if (const auto text = word_text(options)) {
         fmt::print("{}", *text);
@@ -87,7 +87,7 @@ int explain(const Options& options) {
 void add_explain(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "explain", "Say why: one node of a deck at one time, a field of the card (DEPTH), or a departure (D03)");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ExplainArguments>();
     verb->add_option("WHAT", options->what,
                      "starter deck NAME_0000.rad with --node and --time, or a field, or a departure")
         ->required();

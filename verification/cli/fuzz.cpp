@@ -17,7 +17,7 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct FuzzArguments {
     std::vector<std::string> families;
     std::string with = "reference", json, failures = "fuzz_failures";
     FuzzOptions fuzz;
@@ -51,7 +51,7 @@ std::vector<const Family*> chosen(const std::vector<std::string>& names) {
     return found;
 }
 
-int run_fuzz(Options options) {
+int run_fuzz(FuzzArguments options) {
     if (options.list) {
         for (const Family& family : families())
             fmt::print("{:<16} {}\n", family.name, family.what);
@@ -89,7 +89,7 @@ int run_fuzz(Options options) {
 void add_fuzz(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("fuzz", "Ask the contact random and adversarial questions and compare with exact answers");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FuzzArguments>();
     options->fuzz.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     verb->add_option("--family", options->families, "families to draw from (default: all)");
     verb->add_option("--count", options->fuzz.count, "decisions for each family")

@@ -12,11 +12,11 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct LawsArguments {
     std::string deck, as_built, thickness, with = "reference", json;
 };
 
-int run(const Options& options) {
+int run(const LawsArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
@@ -32,7 +32,7 @@ int run(const Options& options) {
 void add_laws(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "laws", "Run a deck and say where on its friction, pressure and heat laws its nodes have been");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<LawsArguments>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
     add_as_built(*verb, options->as_built);
     verb->add_option("--thickness", options->thickness, "CSV of the thickness of the shells over time");

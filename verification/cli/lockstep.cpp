@@ -14,14 +14,14 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct LockstepArguments {
     std::vector<std::string> names;
     std::string cases = "cases", as_built, json, free_runs;
     bool as_built_given = false, quiet = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
-int run(const Options& options) {
+int run(const LockstepArguments& options) {
     std::vector<std::string> case_names, problems;
     std::vector<LockstepTarget> targets;
     for (const std::string& name : options.names) {
@@ -63,7 +63,7 @@ int run(const Options& options) {
 void add_lockstep(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "lockstep", "Step reference and optimized side by side and compare every decision and force of every cycle");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<LockstepArguments>();
     verb->add_option("NAMES", options->names, "cases, or starter decks NAME_0000.rad (default: all cases)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     add_as_built(*verb, options->as_built);

@@ -13,14 +13,14 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct MutateArguments {
     std::vector<std::string> names;
     std::string cases = "cases", scratch = "build/mutate", json, with = "reference";
     bool list = false, quiet = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
-std::vector<Mutation> chosen(const std::vector<std::string>& names) {
+std::vector<Mutation> chosen_mutations(const std::vector<std::string>& names) {
     if (names.empty()) return mutations();
     std::vector<Mutation> some;
     for (const std::string& name : names) {
@@ -33,8 +33,8 @@ std::vector<Mutation> chosen(const std::vector<std::string>& names) {
     return some;
 }
 
-int mutate(const Options& options) {
-    const std::vector<Mutation> some = chosen(options.names);
+int mutate(const MutateArguments& options) {
+    const std::vector<Mutation> some = chosen_mutations(options.names);
     if (options.list) {
         for (const Mutation& mutation : some)
             fmt::print("{:<28} {:<34} {}\n", mutation.name, mutation.effect, mutation.broken);
@@ -68,7 +68,7 @@ int mutate(const Options& options) {
 void add_mutate(CLI::App& app, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("mutate", "Break the contact on purpose, one effect at a time: some check must turn red");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MutateArguments>();
     verb->add_option("NAMES", options->names, "mutations (default: all)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     verb->add_option("--scratch", options->scratch, "folder for the runs; what they write is removed")

@@ -13,7 +13,7 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct ReplayArguments {
     std::string file, with;
 };
 
@@ -39,7 +39,7 @@ bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
     return !wrong.empty();
 }
 
-int replay(const Options& options) {
+int replay(const ReplayArguments& options) {
     std::vector<std::string> problems;
     const DecisionFile file = read_decisions(options.file, problems);
     for (const std::string& problem : problems)
@@ -66,7 +66,7 @@ int replay(const Options& options) {
 
 void add_replay(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("replay", "Ask the question of a failure again, of every arithmetic");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReplayArguments>();
     verb->add_option("FILE", options->file, "a file that 'type21 fuzz' wrote, or any in the format of decide")
         ->required();
     verb->add_option("--with", options->with, "judge this one (default: the one that FILE names, else reference)")

@@ -13,12 +13,12 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct RunArguments {
     std::string deck, out, as_built, thickness, with = "reference";
     bool quiet = false, paraview = false;
 };
 
-int run(const Options& options) {
+int run(const RunArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
@@ -40,7 +40,7 @@ int run(const Options& options) {
 
 void add_run(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("run", "Run a deck and write its histories");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RunArguments>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad; the engine deck NAME_0001.rad lies beside it")
         ->required();
     verb->add_option("--out", options->out, "folder for the results; those of an earlier run in it are replaced")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* sliding = "sliding";
 
-struct Options {
+struct StabilityArguments {
     std::vector<std::string> names;
     std::string json, with = "reference";
     long cycles = 0;
@@ -31,7 +31,7 @@ std::vector<std::string> all_names() {
     return names;
 }
 
-int run(const Options& options) {
+int run(const StabilityArguments& options) {
     const auto wanted = [&](std::string_view name) {
         return options.names.empty() ||
                std::find(options.names.begin(), options.names.end(), name) != options.names.end();
@@ -66,7 +66,7 @@ int run(const Options& options) {
 void add_stability(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "stability", "Long runs and sliding paths: what drifts with time and what jumps with the step, as numbers");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StabilityArguments>();
     verb->add_option("NAMES", options->names, "which; all when none is named")->check(CLI::IsMember(all_names()));
     verb->add_option("--cycles", options->cycles, "of each long run, in place of its own number (1e5 or 1e6)")
         ->check(CLI::Range(10000L, 1000000000L));

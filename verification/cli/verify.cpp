@@ -14,7 +14,7 @@
 namespace type21::cli {
 namespace {
 
-struct Options {
+struct VerifyArguments {
     std::vector<std::string> names;
     std::string cases = "cases", scratch = "build/verify", json, junit, with = "reference";
     bool list = false, lockstep = false, keep = false;
@@ -39,7 +39,7 @@ void add_lockstep_checks(const std::vector<Case>& cases, int jobs, std::vector<C
     }
 }
 
-int verify(const Options& options) {
+int verify(const VerifyArguments& options) {
     std::vector<std::string> problems;
     const std::vector<Case> cases = read_cases(options.cases, options.names, problems);
     for (const std::string& problem : problems)
@@ -69,7 +69,7 @@ int verify(const Options& options) {
 
 void add_verify(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("verify", "Run cases and check what comes out");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<VerifyArguments>();
     verb->add_option("NAMES", options->names, "cases to run (default: all)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     verb->add_option("--scratch", options->scratch, "folder for the results of the runs")->capture_default_str();
