@@ -34,10 +34,19 @@ Json to_json(const ColumnResult& one) {
 }
 
 ColumnResult column_of(const Json& json) {
-    return {json.at("column"), json.at("difference"), json.at("scale"),
-            json.at("scaled"), json.at("time"),       optional_of<Id>(json.at("object")),
-            json.at("ours"),   json.at("reference"),  json.at("tolerance"),
-            json.at("ok"),     json.at("remark")};
+    ColumnResult one;
+    one.column = json.at("column");
+    one.difference = json.at("difference");
+    one.scale = json.at("scale");
+    one.scaled = json.at("scaled");
+    one.time = json.at("time");
+    one.object = optional_of<Id>(json.at("object"));
+    one.ours = json.at("ours");
+    one.reference = json.at("reference");
+    one.tolerance = json.at("tolerance");
+    one.ok = json.at("ok");
+    one.remark = json.at("remark");
+    return one;  // nothing is above the tolerance of a check that holds: there is no first such difference
 }
 
 Json to_json(const CheckResult& one) {
