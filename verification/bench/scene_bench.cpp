@@ -118,7 +118,7 @@ void SceneBench::add_competitors() {
             beside_.add(step, twin_->step(motion), motion, reference_cycle_);
             return time;
         },
-        options_.quick ? -2 : -effort_.repeats / 4);
+        options_.quick && generated() ? -effort_.repeats : -effort_.repeats / 4);
     if (!generated()) return;
     std::vector<std::array<int, 4>> corners = surface.segment;
     const double edge = scene_.card().shortest_edge;
