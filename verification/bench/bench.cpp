@@ -71,7 +71,7 @@ void time_pan(int size, const BenchOptions& options, BenchResult& result) {
     const std::string name = "pan_" + short_count(size);
     const BenchScene pan = pan_bench(name, size, options.usual_nodes);
     options.progress(fmt::format("{}: {} nodes", name, pan.nodes()));
-    result.growth.push_back(measure_methods(pan, options, true, result));
+    result.growth.push_back(measure_methods(pan, options, true, result).value());
     add_pan_targets(pan, size, result);
     if (options.check > 0) {
         options.progress(name + ": check of decisions");
@@ -86,7 +86,7 @@ void time_pan(int size, const BenchOptions& options, BenchResult& result) {
         if (nodes == options.usual_nodes) continue;
         options.progress(fmt::format("{}: {} nodes", name, short_count(nodes)));
         const BenchScene other = pan_bench(fmt::format("{}_{}_nodes", name, short_count(nodes)), size, nodes);
-        result.growth.push_back(measure_methods(other, options, false, result));
+        result.growth.push_back(measure_methods(other, options, false, result).value());
     }
 }
 

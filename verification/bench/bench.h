@@ -48,8 +48,9 @@ struct Effort {
 
 /// Rows, ratios, set-up, paths of one scene.
 /// @param competitors  false: the optimized contact alone
-/// @return the row for the growth
-GrowthRow measure_methods(const BenchScene& scene, const BenchOptions& options, bool competitors, BenchResult& result);
+/// @return the row for the growth, of a generated scene
+std::optional<GrowthRow> measure_methods(const BenchScene& scene, const BenchOptions& options, bool competitors,
+                                         BenchResult& result);
 /// Stages, cost of the sums, roofline. For a generated scene.
 void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchResult& result);
 void measure_effects(const BenchOptions& options, BenchResult& result);

@@ -56,9 +56,9 @@ CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& ma
     Wander wander;
     while (part.decisions < count) {
         const Motion motion = wander.next(scene);
-        const std::vector<Decision> truth = exact.at(motion);
+        const std::vector<Decision> truth = exact.at(motion, static_cast<size_t>(count - part.decisions));
         const ContactStep step = contact->step(motion);
-        for (size_t i = 0; i < truth.size() && part.decisions < count; ++i)
+        for (size_t i = 0; i < truth.size(); ++i)
             compare(part, scene, i, wander.cycle, step.nodes[i].decision, truth[i]);
     }
     return part;

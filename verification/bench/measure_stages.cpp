@@ -93,10 +93,7 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             plain(scene, Until::sum, Sums::plain);
         ContactRun product(scene);
         Rounds rounds;
-        for (int i = 0; i < 2; ++i)
-            for (BareRun* run : {&decide, &force, &sum, &plain})
-                run->next();
-        product.next(true);
+        decide.next();
         std::vector<PlainRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(

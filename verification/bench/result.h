@@ -67,7 +67,8 @@ struct EffectRow {
 struct GrowthRow {
     std::string scene;
     size_t segments = 0, nodes = 0;
-    double coherent = 0, full_search = 0, embree = 0;  ///< [ns]
+    double coherent = 0, full_search = 0;  ///< [ns]
+    std::optional<double> embree;          ///< [ns]
 };
 
 struct ThreadRow {

@@ -83,8 +83,13 @@ Json of(const EffectRow& e) {
     return out;
 }
 Json of(const GrowthRow& g) {
-    return {{"scene", g.scene},       {"segments", g.segments},       {"nodes", g.nodes},
-            {"coherent", g.coherent}, {"full_search", g.full_search}, {"embree", g.embree}};
+    Json out{{"scene", g.scene},
+             {"segments", g.segments},
+             {"nodes", g.nodes},
+             {"coherent", g.coherent},
+             {"full_search", g.full_search}};
+    if (g.embree) out["embree"] = *g.embree;
+    return out;
 }
 Json of(const ThreadRow& t) {
     return {

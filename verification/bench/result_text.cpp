@@ -63,8 +63,8 @@ std::string to_text(const BenchResult& result) {
         out += fmt::format("\n{:<16} {:>9} {:>9} {:>10} {:>12} {:>8}\n", "growth", "segments", "nodes", "coherent",
                            "full search", "Embree");
     for (const GrowthRow& g : result.growth)
-        out += fmt::format("{:<16} {:>9} {:>9} {:>10.1f} {:>12.1f} {:>8.1f}\n", g.scene, g.segments, g.nodes,
-                           g.coherent, g.full_search, g.embree);
+        out += fmt::format("{:<16} {:>9} {:>9} {:>10.1f} {:>12.1f} {:>8}\n", g.scene, g.segments, g.nodes, g.coherent,
+                           g.full_search, g.embree ? fmt::format("{:.1f}", *g.embree) : "-");
     if (!result.threads.empty()) out += "\n";
     for (const ThreadRow& t : result.threads)
         out += fmt::format("{}, {} {}: {:.1f} ns, {:.2f} x, {}\n", t.scene, t.threads,

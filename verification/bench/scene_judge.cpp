@@ -38,7 +38,7 @@ void SceneBench::judge() {
     const long n = static_cast<long>(place_.size());
     std::vector<Decision> truth;
     std::vector<long> settled(4, 0);
-    long step_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0, in_contact = 0;
+    long step_decisions = n, step_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0, in_contact = 0;
     if (generated()) {
         tbb::task_arena several(options_.threads.back());
         truth = several.execute([&] { return Truth(scene_).at(scene_.motion(0)); });
@@ -66,16 +66,17 @@ void SceneBench::judge() {
         const auto share = [&](size_t i) { return static_cast<double>(settled[i]) / static_cast<double>(n); };
         row_.funnel = {{"filter", share(0)}, {"tie", share(1)}, {"fine", share(2)}, {"whole", share(3)}};
     } else {
-        const CheckPart check = check_deck(scene_, 1);
+        const CheckPart check = check_deck(scene_, 10 * n);
         step_wrong = check.different;
+        step_decisions = check.decisions;
         const ContactStep step = run_.contact().step(scene_.motion(std::max(0, run_.cycle() - 1)));
         for (const NodeContact& node : step.nodes)
             in_contact += node.decision.kind == Kind::contact;
     }
     row_.in_contact = static_cast<double>(in_contact) / static_cast<double>(n);
-    add_row(coherent, "impact and forces", true, n, step_wrong,
+    add_row(coherent, "impact and forces", true, step_decisions, step_wrong,
             run_.has_lean() ? "" : "this scene has no lean step: the whole one");
-    add_row(whole, "impact and forces", true, n, step_wrong);
+    add_row(whole, "impact and forces", true, step_decisions, step_wrong);
     if (generated()) {
         add_row(full, "impact", false, n, full_wrong);
         add_row(plain, "impact", false, n, plain_wrong);

@@ -37,13 +37,13 @@ struct Truth::State {
 Truth::Truth(const BenchScene& scene) : state_(std::make_unique<State>(scene)) {}
 Truth::~Truth() = default;
 
-std::vector<Decision> Truth::at(const Motion& motion) const {
+std::vector<Decision> Truth::at(const Motion& motion, size_t most) const {
     const State& s = *state_;
     const auto& node = s.card.secondary.node;
-    std::vector<Decision> out(node.size());
+    std::vector<Decision> out(std::min(node.size(), most));
     const ToolMotion& pose = motion.tools[static_cast<size_t>(s.card.tool)];
     const reference::ShapeOf shape_of = [&](int segment) { return s.tool->shape(segment); };
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, node.size(), 256), [&](const tbb::blocked_range<size_t>& range) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, out.size(), 256), [&](const tbb::blocked_range<size_t>& range) {
         for (size_t i = range.begin(); i < range.end(); ++i) {
             const Vec3 y = pose.rotation.transpose() * (motion.position[static_cast<size_t>(node[i])] - pose.position);
             const std::vector<int> near = s.candidates->at(y);

@@ -22,8 +22,8 @@ class Truth {
   public:
     explicit Truth(const BenchScene& scene);
     ~Truth();
-    /// One for each secondary node.
-    std::vector<Decision> at(const Motion& motion) const;
+    /// One for each secondary node, or for the first of them.
+    std::vector<Decision> at(const Motion& motion, size_t most = static_cast<size_t>(-1)) const;
 
   private:
     struct State;
