@@ -20,6 +20,7 @@ struct LeanStep {
 struct PathCounts {
     long nodes = 0;      ///< asked
     long certified = 0;  ///< by the core of the last sub-triangle
+    long paired = 0;     ///< between it and its neighbour over one side
     long quiet = 0;      ///< by the clearance of a node that nothing takes
     long searched = 0;   ///< by the tree
     long fine = 0;       ///< of these, settled in 100 bits

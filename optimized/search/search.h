@@ -16,15 +16,26 @@ namespace type21::optimized {
 /// What a node remembers to be quick. It never changes an answer: it only says where to look first, and everything that
 /// is concluded from it is proven for the place where the node is now.
 struct Memory {
-    int segment = -1;  ///< retained last
-    int piece = 0;
+    int place = -1;   ///< sub-triangle retained last, as place_of gives it
     float quiet = 0;  ///< no sub-triangle takes the node within this of `from` [length]; 0: not known
     V3 from;          ///< [length]
 };
 
+/// Sub-triangle k of a segment as one number, and back.
+inline int place_of(int segment, int piece) {
+    return 4 * segment + piece - 1;
+}
+inline int segment_of(int place) {
+    return place >> 2;
+}
+inline int piece_of(int place) {
+    return (place & 3) + 1;
+}
+
 /// How a node's decision came about.
 enum class Path {
     certified,  ///< the sub-triangle of the last cycle, and no other can take the node there
+    paired,     ///< that sub-triangle or its neighbour over one side, and no other can take the node there
     quiet,      ///< nothing takes it: it has moved less than its clearance
     searched    ///< all that may take it were asked
 };
@@ -45,6 +56,10 @@ struct ReachBoxRule {
 /// by T or by nothing: its projection on T alone decides. m depends on the tool and its limits only; it is found when
 /// first needed, and is the same number whoever finds it.
 ///
+/// Pairs. Let E be the sub-triangle over one side of T, and m2(T) such that no point that T takes with both weights of
+/// that side >= m2(T) is taken by any sub-triangle but T and E. There the two decide between them: near a side, where
+/// the 1 % by which sub-triangles overlap keeps nodes out of every core.
+///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
 class Search {
@@ -55,9 +70,26 @@ class Search {
         Retained retained;
         Path path = Path::searched;
     };
+    /// Nodes and what is found of them, a row a number. In `rows` the caller fills y and gap, and reads b, c, lift, n
+    /// and x of the nodes that have a place.
+    struct Batch {
+        static constexpr int room = LandingRows::room;
+        int count = 0;
+        double depth = 0, proximity = 0;  ///< of all [length]
+        Memory* memory[room];             ///< nullptr: not asked
+        LandingRows rows, other;          ///< other: of pairs
+        int place[room];                  ///< retained, -1: none
+        Kind kind[room];
+        signed char side[room];
+        Settled settled[room];
+        Path path[room];
+
+        Retained retained(int i) const;
+    };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
-    /// Asks for up to `lanes` nodes at once; the answers are those of find.
+    /// Asks for up to Batch::room nodes at once; the answers are those of find.
+    void find(Batch& batch, const Rules& rules) const;
     struct Asked {
         V3 y;
         Window window;
@@ -71,24 +103,38 @@ class Search {
     size_t bytes() const;
 
   private:
+    /// What is known of one sub-triangle.
+    struct Margins {
+        std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
+        std::atomic<float> pair;   ///< m2(T)
+    };
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
-    /// The answer for a node in the core of the sub-triangle of its memory, where the bounds of a plain projection are
-    /// foreseen. @param lane  of rows.out
-    bool certified_plainly(const Asked& asked, const PlainRows& rows, int lane, float core, Found& found) const;
-    /// m(T), and beyond_foreseen more where a plain projection has to be filtered.
-    float core(int segment, int piece) const;
+    float core(int place) const;
     void find_cores(int segment) const;
+    /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
+    int partner(int place, int side) const;
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
-    void fill_lane(const Asked& asked, int lane, PlainRows& rows) const;
+    LandingLimits landing_limits(double depth, double proximity) const;
+    void fill(LandingRows& rows, int column, int place) const;
+    /// The nodes that no core holds: asks pairs. @param open  columns of the batch
+    int ask_pairs(Batch& batch, const Rules& rules, int* open, int count) const;
+    enum class Standing { unknown, taken, rejected };
+    Standing standing(const LandingRows& rows, int column, double depth, int place) const;
+    Found decide_pair(const Batch& batch, int i, int own, int other, const Rules& rules) const;
+    void take(Batch& batch, int i, int place) const;
+    void put(Batch& batch, int i, const Found& found) const;
     double clearance(const V3& y) const;
 
     const Tool& tool_;
     Limits limits_;
     ReachBoxRule reach_box_;
     BoxTree tree_;
-    double usual_clearance_;                        ///< clearances are not looked for beyond it [length]
-    mutable std::vector<std::atomic<float>> core_;  ///< four for a segment; negative: not known yet
+    double usual_clearance_;                ///< clearances are not looked for beyond it [length]
+    mutable std::vector<Margins> margins_;  ///< four for a segment; alone < 0: not known yet
+    /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
+    /// side of the segment; triangle: over the sides opposite to A, B, C.
+    mutable std::vector<std::atomic<int>> over_;
 };
 
 }  // namespace type21::optimized
