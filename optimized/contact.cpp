@@ -15,7 +15,7 @@ namespace type21::optimized {
 
 namespace {
 
-constexpr int chunk = TermBlock::room;  ///< nodes that one thread takes at a time
+constexpr int chunk = Search::Batch::room;  ///< nodes that one thread takes at a time
 
 /// k of a node, Stfac S between Stmin and Stmax, or Stfac alone.
 /// @page field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01

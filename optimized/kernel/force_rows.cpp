@@ -33,7 +33,8 @@ TYPE21_INLINE void negative(const L& v, WholeLanes<L>& mask) {
 }
 
 template <unsigned Effects, int W>
-TYPE21_INLINE void act(const ForceCycle& c, const LandingRows& at, ForceRows& f, int j, TermBlock& block, int column) {
+TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int j,
+                       TermBlock& block, int column) {
     using L = Lanes<W>;
     using I = WholeLanes<L>;
     using V = VectorLanes<L>;
@@ -44,14 +45,15 @@ TYPE21_INLINE void act(const ForceCycle& c, const LandingRows& at, ForceRows& f,
     load(f.gap + j, gap);
     load(f.stiffness + j, k);
     load(f.offset + j, offset);
-    load(at.lift + j, lift);
+    const int i = first_node + j;
+    load(at.lift + i, lift);
     const L zero = (L)(contact ^ contact);
 
     // Section 5.
     V n, x, nu, arm, point, y;
-    load(at.n[0] + j, at.n[1] + j, at.n[2] + j, n);
-    load(at.x[0] + j, at.x[1] + j, at.x[2] + j, x);
-    load(at.y[0] + j, at.y[1] + j, at.y[2] + j, y);
+    load(at.n[0] + i, at.n[1] + i, at.n[2] + i, n);
+    load(at.x[0] + i, at.x[1] + i, at.x[2] + i, x);
+    load(at.y[0] + i, at.y[1] + i, at.y[2] + i, y);
     L square, length, largest, other;
     dot_of(n, n, square);
     root_of(square, length);
@@ -237,25 +239,26 @@ TYPE21_INLINE void act(const ForceCycle& c, const LandingRows& at, ForceRows& f,
 }
 
 template <unsigned Effects, int W>
-TYPE21_INLINE void act_all(const ForceCycle& c, const LandingRows& at, ForceRows& f, int count, TermBlock& block,
-                           int column) {
+TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                           TermBlock& block, int column) {
     for (int j = 0; j < count; j += W)
-        act<Effects, W>(c, at, f, j, block, column);
+        act<Effects, W>(c, at, first_node, f, j, block, column);
 }
 
 template <unsigned Effects>
-TYPE21_AVX512 void act_eight(const ForceCycle& c, const LandingRows& at, ForceRows& f, int count, TermBlock& block,
-                             int column) {
-    act_all<Effects, 8>(c, at, f, count, block, column);
+TYPE21_AVX512 void act_eight(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                             TermBlock& block, int column) {
+    act_all<Effects, 8>(c, at, first_node, f, count, block, column);
 }
 template <unsigned Effects>
-TYPE21_AVX2 void act_four(const ForceCycle& c, const LandingRows& at, ForceRows& f, int count, TermBlock& block,
-                          int column) {
-    act_all<Effects, 4>(c, at, f, count, block, column);
+TYPE21_AVX2 void act_four(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                          TermBlock& block, int column) {
+    act_all<Effects, 4>(c, at, first_node, f, count, block, column);
 }
 template <unsigned Effects>
-void act_two(const ForceCycle& c, const LandingRows& at, ForceRows& f, int count, TermBlock& block, int column) {
-    act_all<Effects, 2>(c, at, f, count, block, column);
+void act_two(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count, TermBlock& block,
+             int column) {
+    act_all<Effects, 2>(c, at, first_node, f, count, block, column);
 }
 
 template <unsigned Effects>
@@ -265,7 +268,7 @@ Forces forces_on(Machine machine) {
 }
 
 template <int W>
-TYPE21_INLINE void transform(LandingRows& rows, int count, const ForceCycle& c) {
+TYPE21_INLINE void transform(Search::Batch& rows, int count, const ForceCycle& c) {
     for (int j = 0; j < count; j += W) {
         VectorLanes<Lanes<W>> x, y;
         load(rows.y[0] + j, rows.y[1] + j, rows.y[2] + j, x);
@@ -276,10 +279,10 @@ TYPE21_INLINE void transform(LandingRows& rows, int count, const ForceCycle& c) 
         store(y, rows.y[0] + j, rows.y[1] + j, rows.y[2] + j);
     }
 }
-TYPE21_AVX512 void transform_eight(LandingRows& rows, int count, const ForceCycle& c) {
+TYPE21_AVX512 void transform_eight(Search::Batch& rows, int count, const ForceCycle& c) {
     transform<8>(rows, count, c);
 }
-TYPE21_AVX2 void transform_four(LandingRows& rows, int count, const ForceCycle& c) {
+TYPE21_AVX2 void transform_four(Search::Batch& rows, int count, const ForceCycle& c) {
     transform<4>(rows, count, c);
 }
 
@@ -326,7 +329,7 @@ Forces forces_for(unsigned effects, Machine machine) {
     }
 }
 
-void to_tool_frame(LandingRows& rows, int count, const ForceCycle& cycle, Machine machine) {
+void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, Machine machine) {
     if (machine == Machine::eight) {
         transform_eight(rows, count, cycle);
     } else if (machine == Machine::four) {

@@ -56,13 +56,15 @@ struct ForceCycle {
     bool inacti6;
 };
 
-/// Sections 5 to 8 of the formulation at t > 0 for nodes that `landing` has placed. Writes the terms of the sums from
-/// `column` of the block on, zeros where a node is not closed.
-using Forces = void (*)(const ForceCycle&, const LandingRows& landing, ForceRows&, int count, TermBlock&, int column);
+/// Sections 5 to 8 of the formulation at t > 0 for the nodes of a batch from `first` on, which have their places.
+/// Writes the terms of the sums from `column` of the block on, zeros where a node is not closed.
+using Forces = void (*)(const ForceCycle&, const Search::Batch&, int first, ForceRows&, int count, TermBlock&,
+                        int column);
 /// @param effects  of damping, friction and pmax
 Forces forces_for(unsigned effects, Machine machine = this_machine());
 
-/// y = R^T (x - x_G) of rows; the operations and their order are part of the position that decisions are exact for.
-void to_tool_frame(LandingRows& rows, int count, const ForceCycle& cycle, Machine machine = this_machine());
+/// y = R^T (x - x_G) of the nodes of a batch, which has x in its place; the operations and their order are part of the
+/// position that decisions are exact for.
+void to_tool_frame(Search::Batch& batch, int count, const ForceCycle& cycle, Machine machine = this_machine());
 
 }  // namespace type21::optimized

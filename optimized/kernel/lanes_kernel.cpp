@@ -18,8 +18,8 @@ void fetch(const std::vector<double>& from, int first, int count, double* to) {
     std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
 }
 
-template <class Vector>
-void fetch(const Vector& from, double (*to)[ForceRows::room], int j) {
+template <class Vector, size_t room>
+void fetch(const Vector& from, double (*to)[room], int j) {
     for (int a = 0; a < 3; ++a)
         to[a][j] = from[a];
 }
@@ -34,22 +34,23 @@ void locate(const Laws& laws, const Cycle& cycle, const ForceCycle& c, NodeData&
     const auto position = cycle.motion.position;
     for (int j = 0; j < batch.count; ++j) {
         const auto i = static_cast<size_t>(first + j);
-        fetch(position[static_cast<size_t>(nodes.node[i])], batch.rows.y, j);
+        fetch(position[static_cast<size_t>(nodes.node[i])], batch.y, j);
         // A node without stiffness is not asked.
         batch.memory[j] = nodes.stiffness[i] != 0 ? &nodes.memory[i] : nullptr;
     }
-    fetch(nodes.search_gap.empty() ? nodes.gap : nodes.search_gap, first, batch.count, batch.rows.gap);
-    to_tool_frame(batch.rows, batch.count, c);
+    fetch(nodes.search_gap.empty() ? nodes.gap : nodes.search_gap, first, batch.count, batch.gap);
+    to_tool_frame(batch, batch.count, c);
     laws.search->find(batch, laws.rules);
 }
 
 /// What the forces ask for. @return false where no node is in contact
-bool prepare(const Laws& laws, const Cycle& cycle, const NodeData& nodes, int first, const Search::Batch& batch,
-             ForceRows& f) {
-    const int count = batch.count;
+/// @param first  node   @param at  its column in the batch
+bool prepare(const Laws& laws, const Cycle& cycle, const NodeData& nodes, int first, const Search::Batch& batch, int at,
+             int count, ForceRows& f) {
     long long any = 0;
     for (int j = 0; j < count; ++j) {
-        const long long contact = -static_cast<long long>(batch.place[j] >= 0 && batch.kind[j] == Kind::contact);
+        const long long contact =
+            -static_cast<long long>(batch.place[at + j] >= 0 && batch.kind[at + j] == Kind::contact);
         f.contact[j] = contact;
         f.first[j] = -static_cast<long long>(nodes.cycles[static_cast<size_t>(first + j)] == 0);
         any |= contact;
@@ -97,12 +98,13 @@ void remember(const ForceRows& f, int first, int count, NodeData& nodes) {
         nodes.friction[static_cast<size_t>(first + j)] = {f.friction[0][j], f.friction[1][j], f.friction[2][j]};
 }
 
-/// One node for the whole step.
-void report(const Laws& laws, const Search::Batch& batch, const ForceRows& f, int j, double gap, NodeContact& out) {
+/// One node for the whole step, in column i of the batch and j of the forces.
+void report(const Laws& laws, const Search::Batch& batch, int i, const ForceRows& f, int j, double gap,
+            NodeContact& out) {
     out = NodeContact{};
     out.gap = gap;
-    if (batch.memory[j] == nullptr || batch.place[j] < 0) return;
-    out.decision = decision_of(batch.retained(j));
+    if (batch.memory[i] == nullptr || batch.place[i] < 0) return;
+    out.decision = decision_of(batch.retained(i));
     out.distance = f.distance[j];
     out.normal = column(f.normal, j);
     out.point = column(f.point, j);
@@ -130,19 +132,20 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
                   ChunkLists&, Workspace& work) {
     const ForceCycle c(laws, cycle);
     const Forces forces = forces_for(laws.effects());
+    static_assert(Search::Batch::room == TermBlock::room);
     Search::Batch& batch = *work.batch;
     ForceRows& f = *work.forces;
     batch.depth = laws.card->depth;
     batch.proximity = laws.proximity;
+    batch.count = last - first;
+    locate(laws, cycle, c, nodes, first, batch);
+    work.tally.add(batch);
     int columns = 0;
-    for (int start = first; start < last; start += Search::Batch::room) {
-        const int count = std::min(Search::Batch::room, last - start);
-        batch.count = count;
-        locate(laws, cycle, c, nodes, start, batch);
-        work.tally.add(batch);
-        const bool acts = prepare(laws, cycle, nodes, start, batch, f);
+    for (int start = first; start < last; start += ForceRows::room) {
+        const int count = std::min(ForceRows::room, last - start), at = start - first;
+        const bool acts = prepare(laws, cycle, nodes, start, batch, at, count, f);
         if (acts) {
-            forces(c, batch.rows, f, count, work.terms, columns);
+            forces(c, batch, at, f, count, work.terms, columns);
             columns += whole_registers(count);
             remember(f, start, count, nodes);
         } else {
@@ -150,7 +153,7 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
         }
         if (out.node != nullptr) {
             for (int j = 0; j < count; ++j)
-                report(laws, batch, f, j, nodes.gap[static_cast<size_t>(start + j)], out.node[start + j]);
+                report(laws, batch, at + j, f, j, nodes.gap[static_cast<size_t>(start + j)], out.node[start + j]);
         } else if (acts) {
             for (int j = 0; j < count; ++j)
                 out.force[start + j] = column(f.force, j);

@@ -279,8 +279,8 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             const Vec3& position = motion.position[static_cast<size_t>(nodes.node[i])];
             const Vec3 at = cycle.pose.rotation.transpose() * (position - cycle.pose.position);
             for (int a = 0; a < 3; ++a)
-                batch.rows.y[a][j] = at[a];
-            batch.rows.gap[j] = nodes.deciding_gap(i);
+                batch.y[a][j] = at[a];
+            batch.gap[j] = nodes.deciding_gap(i);
         }
         laws.search->find(batch, laws.rules);
         work.tally.add(batch);
@@ -288,7 +288,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
         std::memset(static_cast<void*>(out + (start - first)), 0,
                     static_cast<size_t>(batch.count) * sizeof(NodeContact));
         for (int j = 0; j < batch.count; ++j) {
-            const V3 y{batch.rows.y[0][j], batch.rows.y[1][j], batch.rows.y[2][j]};
+            const V3 y{batch.y[0][j], batch.y[1][j], batch.y[2][j]};
             NodeContact& node = out[start + j - first];
             node.decision = Decision{};
             if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y, why[j], batch.retained(j),

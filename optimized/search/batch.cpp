@@ -1,5 +1,6 @@
 // Many nodes at once: cores in the lanes of registers, then pairs likewise, then one after the other.
 #include <cmath>
+#include <cstring>
 
 #include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/margins.h"
@@ -17,18 +18,6 @@ double kappa(double b, double c) {
     return std::abs(1.0 / 3 - b) + std::abs(1.0 / 3 - c) + std::abs(2.0 / 3 - b - c);
 }
 
-/// What is found of one column.
-void copy_found(const LandingRows& from, int i, LandingRows& to, int j) {
-    to.b[j] = from.b[i];
-    to.c[j] = from.c[i];
-    to.lift[j] = from.lift[i];
-    to.height[j] = from.height[i];
-    for (int a = 0; a < 3; ++a) {
-        to.n[a][j] = from.n[a][i];
-        to.x[a][j] = from.x[a][i];
-    }
-}
-
 }  // namespace
 
 Retained Search::Batch::retained(int i) const {
@@ -39,47 +28,72 @@ Retained Search::Batch::retained(int i) const {
     r.settled = settled[i];
     r.landing.kind = kind[i];
     r.landing.side = side[i];
-    r.landing.b = rows.b[i];
-    r.landing.c = rows.c[i];
-    r.landing.lift = rows.lift[i];
-    r.landing.normal = {rows.n[0][i], rows.n[1][i], rows.n[2][i]};
+    r.landing.b = b[i];
+    r.landing.c = c[i];
+    r.landing.lift = lift[i];
+    r.landing.normal = {n[0][i], n[1][i], n[2][i]};
     return r;
 }
 
 void Search::find(Batch& batch, const Rules& rules) const {
-    LandingRows& rows = batch.rows;
-    bool any = false;
-    for (int i = 0; i < batch.count; ++i) {
-        const Memory* memory = batch.memory[i];
-        batch.place[i] = -1;
-        if (memory == nullptr || memory->place < 0 || memory->quiet > 0) {
-            rows.core[i] = nobody;
-            rows.certain[i] = 0;
-            continue;
-        }
-        any = true;
-        fill(rows, i, memory->place);
-    }
-    if (any) plain_landing(rows, batch.count, landing_limits(batch.depth, batch.proximity));
     int open[Batch::room], count = 0;
-    for (int i = 0; i < batch.count; ++i) {
-        const double certain = rows.certain[i];
-        batch.path[i] = Path::certified;
-        batch.settled[i] = Settled::filter;
-        if (certain == 0) {
-            if (batch.memory[i] != nullptr) open[count++] = i;
-            continue;
-        }
-        batch.kind[i] = Kind::contact;
-        batch.side[i] = rows.lift[i] > 0 ? 1 : -1;
-        batch.place[i] = certain > 0 ? batch.memory[i]->place : -1;
-    }
-    count = ask_pairs(batch, rules, open, count);
+    batch.pair_count = batch.close_count = 0;
+    for (int first = 0; first < batch.count; first += LandingRows::room)
+        count += find_part(batch, first, std::min(LandingRows::room, batch.count - first), rules, open + count);
+    // Those that no core holds: near a side they are asked of two, and only then of all.
+    decide_pairs(batch, rules);
+    decide_close(batch, rules);
     for (int j = 0; j < count; ++j) {
         const int i = open[j];
-        const V3 y{rows.y[0][i], rows.y[1][i], rows.y[2][i]};
-        put(batch, i, find(y, {rows.gap[i], batch.depth, batch.proximity}, rules, *batch.memory[i]));
+        const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+        put(batch, i, find(y, {batch.gap[i], batch.depth, batch.proximity}, rules, *batch.memory[i]));
     }
+}
+
+int Search::find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const {
+    LandingRows& rows = batch.rows;
+    bool any = false;
+    for (int i = 0; i < count; ++i) {
+        const Memory* memory = batch.memory[first + i];
+        const bool looks = memory != nullptr && memory->place >= 0 && !(memory->quiet > 0);
+        any |= looks;
+        if (looks) {
+            fill(rows, i, memory->place);
+        } else {
+            rows.core[i] = nobody;
+            rows.certain[i] = 0;
+        }
+    }
+    if (any) {
+        const auto copy = [&](const double* from, double* to) {
+            std::memcpy(to, from, static_cast<size_t>(count) * sizeof(double));
+        };
+        for (int a = 0; a < 3; ++a)
+            copy(batch.y[a] + first, rows.y[a]);
+        copy(batch.gap + first, rows.gap);
+        plain_landing(rows, count, landing_limits(batch.depth, batch.proximity));
+        copy(rows.b, batch.b + first);
+        copy(rows.c, batch.c + first);
+        copy(rows.lift, batch.lift + first);
+        for (int a = 0; a < 3; ++a) {
+            copy(rows.n[a], batch.n[a] + first);
+            copy(rows.x[a], batch.x[a] + first);
+        }
+    }
+    int left = 0;
+    for (int i = 0; i < count; ++i) {
+        const int at = first + i;
+        const double certain = rows.certain[i];
+        batch.path[at] = Path::certified;
+        batch.settled[at] = Settled::filter;
+        batch.kind[at] = Kind::contact;
+        batch.side[at] = rows.lift[i] > 0 ? 1 : -1;
+        batch.place[at] = certain > 0 ? batch.memory[at]->place : -1;
+        if (certain != 0 || batch.memory[at] == nullptr) continue;
+        if (!pair_up(batch, first, i)) open[left++] = at;
+        if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
+    }
+    return left;
 }
 
 void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {
@@ -89,10 +103,10 @@ void Search::find(const Asked* asked, int count, const Rules& rules, Found* foun
         batch->count = 1;
         batch->depth = asked[i].window.depth;
         batch->proximity = asked[i].window.proximity;
-        batch->rows.y[0][0] = asked[i].y.x;
-        batch->rows.y[1][0] = asked[i].y.y;
-        batch->rows.y[2][0] = asked[i].y.z;
-        batch->rows.gap[0] = asked[i].window.gap;
+        batch->y[0][0] = asked[i].y.x;
+        batch->y[1][0] = asked[i].y.y;
+        batch->y[2][0] = asked[i].y.z;
+        batch->gap[0] = asked[i].window.gap;
         batch->memory[0] = asked[i].memory;
         find(*batch, rules);
         found[i] = {batch->retained(0), batch->path[0]};
@@ -118,6 +132,13 @@ void Search::fill(LandingRows& rows, int column, int place) const {
     rows.code[column] = tool_.is_triangle(segment) ? 4 : (place & 3);
     rows.core[column] = double(core(place));
     rows.size[column] = foreseen_size(tool_.extent(segment), std::max(limits_.outward, limits_.inward));
+}
+
+void Search::fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const {
+    fill(rows, column, place);
+    for (int a = 0; a < 3; ++a)
+        rows.y[a][column] = batch.y[a][i];
+    rows.gap[column] = batch.gap[i];
 }
 
 /// Does the sub-triangle take the node as contact? Known only where the bounds are foreseen, and away from every limit
@@ -146,58 +167,89 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
     return farthest < (front ? rows.gap[i] : depth) ? Standing::taken : Standing::unknown;
 }
 
-int Search::ask_pairs(Batch& batch, const Rules& rules, int* open, int count) const {
-    if (reach_box_.on || rules.low != Rules{}.low) return count;
+bool Search::pair_up(Batch& batch, int first, int i) const {
     const LandingRows& rows = batch.rows;
-    int left = 0, asked = 0, column[Batch::room], place[Batch::room];
-    for (int j = 0; j < count; ++j) {
-        const int i = open[j];
-        open[left++] = i;
-        if (rows.core[i] >= double(beyond_foreseen)) continue;  // no place to look at is one of these, too
-        const int own = batch.memory[i]->place;
-        const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
-        const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
-        const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
-        const float pair = margins_[static_cast<size_t>(own)].pair.load(std::memory_order_relaxed);
-        if (!(along >= double(pair) + pair_share) || standing(rows, i, batch.depth, own) != Standing::taken) continue;
-        const int other = partner(own, side);
-        if (other < 0) continue;
-        --left;
-        column[asked] = i;
-        place[asked] = other;
-        fill(batch.other, asked, other);
-        for (int a = 0; a < 3; ++a)
-            batch.other.y[a][asked] = rows.y[a][i];
-        batch.other.gap[asked++] = rows.gap[i];
-    }
-    if (asked == 0) return left;
+    // No place to look at is one of these, too.
+    if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
+    const int own = batch.memory[first + i]->place;
+    const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
+    const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
+    const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
+    const float pair = margins_[static_cast<size_t>(own)].pair.load(std::memory_order_relaxed);
+    if (!(along >= double(pair) + pair_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
+    const int other = partner(own, side);
+    if (other < 0) return false;
+    fill(batch.partners, batch.pair_count, other, batch, first + i);
+    batch.pairs[batch.pair_count++] = {first + i, own, other, kappa(rows.b[i], rows.c[i])};
+    return true;
+}
+
+void Search::decide_pairs(Batch& batch, const Rules& rules) const {
+    const int count = batch.pair_count;
+    batch.pair_count = 0;
+    if (count == 0) return;
+    const LandingRows& rows = batch.partners;
     LandingLimits limits = landing_limits(batch.depth, batch.proximity);
     limits.decide = false;
-    plain_landing(batch.other, asked, limits);
-    for (int j = 0; j < asked; ++j) {
-        const int i = column[j], own = batch.memory[i]->place;
-        const Standing stands = standing(batch.other, j, batch.depth, place[j]);
-        const double apart = kappa(batch.other.b[j], batch.other.c[j]) - kappa(rows.b[i], rows.c[i]);
+    plain_landing(batch.partners, count, limits);
+    for (int j = 0; j < count; ++j) {
+        const Batch::Pair& pair = batch.pairs[j];
+        batch.path[pair.column] = Path::paired;
+        const Standing stands = standing(rows, j, batch.depth, pair.other);
+        const double apart = kappa(rows.b[j], rows.c[j]) - pair.kappa;
         if (stands == Standing::rejected || (stands == Standing::taken && apart > pair_share)) {
-            take(batch, i, own);
+            batch.place[pair.column] = pair.own;
         } else if (stands == Standing::taken && apart < -pair_share) {
-            copy_found(batch.other, j, batch.rows, i);
-            take(batch, i, place[j]);
+            take(batch, pair.column, pair.other, rows, j);
+        } else if (stands == Standing::taken) {
+            batch.close[batch.close_count++] = pair;
         } else {
-            put(batch, i, decide_pair(batch, i, own, place[j], rules));
+            put(batch, pair.column, decide_pair(batch, pair, rules));
         }
-        batch.path[i] = Path::paired;
     }
-    return left;
+}
+
+void Search::decide_close(Batch& batch, const Rules& rules) const {
+    LandingRows& rows = batch.rows;
+    FineKappaRows& fine = batch.fine;
+    constexpr int part = LandingRows::room / 2;
+    for (int first = 0; first < batch.close_count; first += part) {
+        const int count = std::min(part, batch.close_count - first);
+        for (int j = 0; j < count; ++j) {
+            const Batch::Pair& pair = batch.close[first + j];
+            fill(rows, 2 * j, pair.own, batch, pair.column);
+            fill(rows, 2 * j + 1, pair.other, batch, pair.column);
+        }
+        fine_landing(rows, 2 * count, fine);
+        for (int j = 0; j < count; ++j) {
+            const Batch::Pair& pair = batch.close[first + j];
+            const int own = 2 * j, other = own + 1;
+            const double apart =
+                (TwoDoubles(fine.high[other], fine.low[other]) - TwoDoubles(fine.high[own], fine.low[own])).high;
+            if (apart > 3 * fine_kappa_share) {
+                batch.place[pair.column] = pair.own;
+            } else if (apart < -3 * fine_kappa_share) {
+                LandingRows& landed = batch.partners;
+                fill(landed, 0, pair.other, batch, pair.column);
+                plain_landing(landed, 1, landing_limits(batch.depth, batch.proximity));
+                take(batch, pair.column, pair.other, landed, 0);
+            } else {
+                put(batch, pair.column, decide_pair(batch, pair, rules));
+                batch.path[pair.column] = Path::paired;
+                continue;
+            }
+            batch.settled[pair.column] = Settled::fine;
+        }
+    }
 }
 
 /// Only these two can take the node: the exact way of telling them apart.
-Search::Found Search::decide_pair(const Batch& batch, int i, int own, int other, const Rules& rules) const {
-    const LandingRows& rows = batch.rows;
-    const V3 y{rows.y[0][i], rows.y[1][i], rows.y[2][i]};
-    const Window window{rows.gap[i], batch.depth, batch.proximity};
+Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const {
+    const int i = pair.column;
+    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const Window window{batch.gap[i], batch.depth, batch.proximity};
     Decider decider(y, window, rules);
-    for (const int place : {own, other}) {
+    for (const int place : {pair.own, pair.other}) {
         const SegmentData segment = tool_.segment(segment_of(place));
         decider.add(segment_of(place), piece_of(place),
                     filter(y, segment, local_segment(segment), piece_of(place), window, rules));
@@ -207,11 +259,17 @@ Search::Found Search::decide_pair(const Batch& batch, int i, int own, int other,
     return found;
 }
 
-void Search::take(Batch& batch, int i, int place) const {
+void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
     batch.memory[i]->place = place;
     batch.place[i] = place;
-    batch.kind[i] = Kind::contact;
-    batch.side[i] = batch.rows.lift[i] > 0 ? 1 : -1;
+    batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
+    batch.b[i] = rows.b[column];
+    batch.c[i] = rows.c[column];
+    batch.lift[i] = rows.lift[column];
+    for (int a = 0; a < 3; ++a) {
+        batch.n[a][i] = rows.n[a][column];
+        batch.x[a][i] = rows.x[a][column];
+    }
 }
 
 void Search::put(Batch& batch, int i, const Found& found) const {
@@ -223,14 +281,13 @@ void Search::put(Batch& batch, int i, const Found& found) const {
     batch.place[i] = place_of(r.segment, r.piece);
     batch.kind[i] = r.landing.kind;
     batch.side[i] = static_cast<signed char>(r.landing.side);
-    LandingRows& rows = batch.rows;
-    rows.b[i] = r.landing.b;
-    rows.c[i] = r.landing.c;
-    rows.lift[i] = r.landing.lift;
+    batch.b[i] = r.landing.b;
+    batch.c[i] = r.landing.c;
+    batch.lift[i] = r.landing.lift;
     const V3 x = landed_at(tool_.segment(r.segment), r.piece, r.landing.b, r.landing.c);
     for (int a = 0; a < 3; ++a) {
-        rows.n[a][i] = r.landing.normal[a];
-        rows.x[a][i] = x[a];
+        batch.n[a][i] = r.landing.normal[a];
+        batch.x[a][i] = x[a];
     }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optimized/decide/decide.h"
-#include "optimized/decide/plain_landing.h"
+#include "optimized/decide/fine_landing.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/prism.h"
 #include "optimized/search/tool.h"
@@ -70,21 +70,35 @@ class Search {
         Retained retained;
         Path path = Path::searched;
     };
-    /// Nodes and what is found of them, a row a number. In `rows` the caller fills y and gap, and reads b, c, lift, n
-    /// and x of the nodes that have a place.
+    /// Nodes and what is found of them, a row a number.
     struct Batch {
-        static constexpr int room = LandingRows::room;
+        static constexpr int room = 256;
+        using Row = double[room];
+
         int count = 0;
         double depth = 0, proximity = 0;  ///< of all [length]
         Memory* memory[room];             ///< nullptr: not asked
-        LandingRows rows, other;          ///< other: of pairs
-        int place[room];                  ///< retained, -1: none
+        alignas(64) Row y[3];             ///< in the tool frame [length]
+        alignas(64) Row gap;              ///< that decides contact [length]
+
+        int place[room];                         ///< retained, -1: none; then the rest is not filled
+        alignas(64) Row b, c, lift, n[3], x[3];  ///< as in LandingRows
         Kind kind[room];
         signed char side[room];
         Settled settled[room];
         Path path[room];
 
         Retained retained(int i) const;
+
+        // Where it works: a part of the nodes, and pairs of all of them.
+        struct Pair {
+            int column, own, other;  ///< node, and places
+            double kappa;            ///< of own
+        };
+        LandingRows rows, partners;
+        FineKappaRows fine;
+        Pair pairs[LandingRows::room], close[room];
+        int pair_count = 0, close_count = 0;
     };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
@@ -117,12 +131,20 @@ class Search {
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
     LandingLimits landing_limits(double depth, double proximity) const;
     void fill(LandingRows& rows, int column, int place) const;
-    /// The nodes that no core holds: asks pairs. @param open  columns of the batch
-    int ask_pairs(Batch& batch, const Rules& rules, int* open, int count) const;
+    void fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
+    /// Nodes first to first + count of the batch. @param open  filled with those that are left
+    /// @return how many are left
+    int find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const;
+    /// Is the node in column i of the rows one of a pair? Then it is put among them.
+    bool pair_up(Batch& batch, int first, int i) const;
+    /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
+    void decide_pairs(Batch& batch, const Rules& rules) const;
+    /// 100 bits for them.
+    void decide_close(Batch& batch, const Rules& rules) const;
     enum class Standing { unknown, taken, rejected };
     Standing standing(const LandingRows& rows, int column, double depth, int place) const;
-    Found decide_pair(const Batch& batch, int i, int own, int other, const Rules& rules) const;
-    void take(Batch& batch, int i, int place) const;
+    Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
+    void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
     void put(Batch& batch, int i, const Found& found) const;
     double clearance(const V3& y) const;
 
