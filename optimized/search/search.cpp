@@ -1,28 +1,15 @@
 #include "optimized/search/search.h"
 
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include "optimized/search/margins.h"
+#include "optimized/search/segment_boxes.h"
 
 namespace type21::optimized {
 
 namespace {
 
 constexpr float unknown = -1;
-
-std::vector<Box> boxes_of(const Tool& tool, const Limits& limits) {
-    std::vector<Box> boxes(static_cast<size_t>(tool.size()));
-    tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
-        for (int s = range.begin(); s < range.end(); ++s) {
-            const SegmentData segment = tool.segment(s);
-            for (int k = 1; k <= segment.pieces(); ++k)
-                boxes[static_cast<size_t>(s)].extend(prism(segment, k, limits).box());
-        }
-    });
-    return boxes;
-}
 
 }  // namespace
 
@@ -51,7 +38,7 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
       usual_clearance_(0),
       margins_(4 * static_cast<size_t>(tool.size())),
       over_(4 * static_cast<size_t>(tool.size())) {
-    const std::vector<Box> boxes = boxes_of(tool, limits);
+    const std::vector<Box> boxes = segment_boxes(tool, limits);
     double extent = 0;
     for (const Box& box : boxes)
         extent += largest(box.high - box.low);
