@@ -1,5 +1,7 @@
 #include "optimized/search/margins.h"
 
+#include <algorithm>
+
 namespace type21::optimized {
 
 namespace {
@@ -73,6 +75,7 @@ PieceMargins::PieceMargins(const Prism& own) : grown_(own.grown), below_(own.mar
     for (size_t c = 0; c < 3; ++c) {
         corner_[0][c] = own.corner[c] + own.rise[c] * own.low;
         corner_[1][c] = own.corner[c] + own.rise[c] * own.high;
+        middle_ = middle_ + (corner_[0][c] + corner_[1][c]) * (1.0 / 6);
     }
 }
 
@@ -80,15 +83,31 @@ void PieceMargins::keep_from(const OuterLines& other, int side) {
     if (grown_) return;
     std::array<double, 4> least{1, 1, 1, 1};
     if (side >= 0) least[static_cast<size_t>(side)] = 0;
+    // The line that is farthest from the middle of this one first: mostly no other is asked for.
+    std::array<double, 6> apart;
     for (int l = 0; l < other.count; ++l) {
         const OuterLines::Line& line = other.line[static_cast<size_t>(l)];
+        apart[static_cast<size_t>(l)] = dot(line.direction, middle_) - line.bound;
+    }
+    for (int asked = 0; asked < other.count; ++asked) {
+        const auto l =
+            static_cast<size_t>(std::max_element(apart.begin(), apart.begin() + other.count) - apart.begin());
+        if (!(apart[l] > 0)) break;  // it holds the middle: no margin is enough
+        apart[l] = -1;
+        const OuterLines::Line& line = other.line[l];
         // A line may be longer than a unit vector; the slack of a point is, too.
         const double bound = line.bound + slack_ * (std::abs(line.direction.x) + std::abs(line.direction.y) +
                                                     std::abs(line.direction.z));
         std::array<Corners, 2> at;
-        for (size_t h = 0; h < 2; ++h)
-            for (size_t c = 0; c < 3; ++c)
+        double lowest = HUGE_VAL;
+        for (size_t h = 0; h < 2; ++h) {
+            for (size_t c = 0; c < 3; ++c) {
                 at[h][c] = dot(line.direction, corner_[h][c]) - bound;
+                lowest = std::min(lowest, at[h][c]);
+            }
+        }
+        if (lowest > 0 && below_ * (at[0][0] + at[0][1] + at[0][2] + at[1][0] + at[1][1] + at[1][2]) < lowest)
+            return;  // apart as it is, drawn out by `below_`, too
         bool done = true;
         for (size_t q = 0; q < 4; ++q) {
             if (least[q] <= margin_[q]) continue;

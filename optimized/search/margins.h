@@ -40,7 +40,8 @@ class PieceMargins {
     double below_;  ///< how far below 0 a weight may go
     double slack_;
     std::array<std::array<V3, 3>, 2> corner_;  ///< at the lowest and at the greatest height
-    std::array<double, 4> margin_{};           ///< of pairs over sides 0, 1, 2, alone
+    V3 middle_;
+    std::array<double, 4> margin_{};  ///< of pairs over sides 0, 1, 2, alone
 };
 
 }  // namespace type21::optimized
