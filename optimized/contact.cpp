@@ -285,12 +285,21 @@ Contact::Contact(const Scene& scene, int interface) : state_(std::make_unique<St
 Contact::~Contact() = default;
 
 ContactStep Contact::step(const Motion& motion) {
+    ContactStep one;
+    step(motion, one);
+    return one;
+}
+
+void Contact::step(const Motion& motion, ContactStep& step) {
     State& state = *state_;
-    ContactStep step;
+    // All but the memory is new.
+    std::vector<NodeContact> nodes = std::move(step.nodes);
+    step = {};
     if (!state.started) state.start(motion);
     step.active = state.active(motion.time);
-    if (!step.active) return step;
+    if (!step.active) return;
     state.update_gaps(motion, step);
+    step.nodes = std::move(nodes);
     step.nodes.resize(state.nodes.node.size());
     state.run(motion, {step.nodes.data(), nullptr, nullptr});
     for (const ChunkLists& own : state.lists) {
@@ -301,7 +310,6 @@ ContactStep Contact::step(const Motion& motion) {
     step.sums = state.sums();
     step.tool = state.tool_load(motion);
     if (state.adaptive) step.adaptive = state.adaptive->elements(step.nodes, motion.position);
-    return step;
 }
 
 const LeanStep& Contact::step_lean(const Motion& motion) {

@@ -139,7 +139,7 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
     batch.proximity = laws.proximity;
     batch.count = last - first;
     locate(laws, cycle, c, nodes, first, batch);
-    work.tally.add(batch);
+    work.tally.add(batch.tally);
     int columns = 0;
     for (int start = first; start < last; start += ForceRows::room) {
         const int count = std::min(ForceRows::room, last - start), at = start - first;

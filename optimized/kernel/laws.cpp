@@ -59,18 +59,6 @@ Laws::Laws(const Scene& scene, int interface)
     }
 }
 
-void PathTally::add(const Search::Batch& batch) {
-    for (int i = 0; i < batch.count; ++i) {
-        if (batch.memory[i] == nullptr) continue;
-        certified += batch.path[i] == Path::certified;
-        paired += batch.path[i] == Path::paired;
-        quiet += batch.path[i] == Path::quiet;
-        searched += batch.path[i] == Path::searched;
-        fine += batch.settled[i] == Settled::fine;
-        whole += batch.settled[i] == Settled::whole;
-    }
-}
-
 Workspace::Workspace() : batch(std::make_unique<Search::Batch>()), forces(std::make_unique<ForceRows>()) {}
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace::~Workspace() = default;

@@ -101,12 +101,6 @@ struct ChunkLists {
     }
 };
 
-/// Paths of the decisions of a chunk.
-struct PathTally {
-    long certified = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
-    void add(const Search::Batch& batch);
-};
-
 struct ForceRows;
 
 /// Where a kernel writes, by rank of node. Without `node` only forces and stiffness are asked for.

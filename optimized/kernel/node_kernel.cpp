@@ -283,7 +283,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             batch.gap[j] = nodes.deciding_gap(i);
         }
         laws.search->find(batch, laws.rules);
-        work.tally.add(batch);
+        work.tally.add(batch.tally);
         // All that a blank NodeContact holds is zero but for its Decision; one call for many is cheaper than many.
         std::memset(static_cast<void*>(out + (start - first)), 0,
                     static_cast<size_t>(batch.count) * sizeof(NodeContact));

@@ -35,9 +35,22 @@ Retained Search::Batch::retained(int i) const {
     return r;
 }
 
+void PathTally::add(const PathTally& other) {
+    certified += other.certified;
+    paired += other.paired;
+    quiet += other.quiet;
+    searched += other.searched;
+    fine += other.fine;
+    whole += other.whole;
+}
+
 void Search::find(Batch& batch, const Rules& rules) const {
     int open[Batch::room], count = 0;
     batch.pair_count = batch.close_count = 0;
+    batch.tally = {};
+    std::fill_n(batch.path, batch.count, Path::certified);
+    std::fill_n(batch.settled, batch.count, Settled::filter);
+    std::fill_n(batch.kind, batch.count, Kind::contact);
     for (int first = 0; first < batch.count; first += LandingRows::room)
         count += find_part(batch, first, std::min(LandingRows::room, batch.count - first), rules, open + count);
     // Those that no core holds: near a side they are asked of two, and only then of all.
@@ -84,11 +97,9 @@ int Search::find_part(Batch& batch, int first, int count, const Rules& rules, in
     for (int i = 0; i < count; ++i) {
         const int at = first + i;
         const double certain = rows.certain[i];
-        batch.path[at] = Path::certified;
-        batch.settled[at] = Settled::filter;
-        batch.kind[at] = Kind::contact;
         batch.side[at] = rows.lift[i] > 0 ? 1 : -1;
         batch.place[at] = certain > 0 ? batch.memory[at]->place : -1;
+        batch.tally.certified += certain != 0;
         if (certain != 0 || batch.memory[at] == nullptr) continue;
         if (!pair_up(batch, first, i)) open[left++] = at;
         if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
@@ -188,6 +199,7 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
     const int count = batch.pair_count;
     batch.pair_count = 0;
     if (count == 0) return;
+    batch.tally.paired += count;
     const LandingRows& rows = batch.partners;
     LandingLimits limits = landing_limits(batch.depth, batch.proximity);
     limits.decide = false;
@@ -239,6 +251,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
                 continue;
             }
             batch.settled[pair.column] = Settled::fine;
+            ++batch.tally.fine;
         }
     }
 }
@@ -276,6 +289,11 @@ void Search::put(Batch& batch, int i, const Found& found) const {
     const Retained& r = found.retained;
     batch.path[i] = found.path;
     batch.settled[i] = r.settled;
+    batch.tally.certified += found.path == Path::certified;
+    batch.tally.quiet += found.path == Path::quiet;
+    batch.tally.searched += found.path == Path::searched;
+    batch.tally.fine += r.settled == Settled::fine;
+    batch.tally.whole += r.settled == Settled::whole;
     batch.place[i] = -1;
     if (r.segment < 0) return;
     batch.place[i] = place_of(r.segment, r.piece);

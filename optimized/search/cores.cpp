@@ -41,12 +41,9 @@ int Search::partner(int place, int side) const {
     return place_of(segment, side == 1 ? piece % 4 + 1 : (piece + 2) % 4 + 1);
 }
 
-float Search::core(int place) const {
-    const auto at = static_cast<size_t>(place);
-    const float margin = margins_[at].alone.load(std::memory_order_acquire);
-    if (margin >= 0) return margin;
+float Search::new_core(int place) const {
     find_cores(segment_of(place));
-    return margins_[at].alone.load(std::memory_order_acquire);
+    return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
 }
 
 void Search::find_cores(int rank) const {

@@ -40,6 +40,12 @@ enum class Path {
     searched    ///< all that may take it were asked
 };
 
+/// How many decisions came about how.
+struct PathTally {
+    long certified = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
+    void add(const PathTally& other);
+};
+
 /// D34: the box in which a node must lie before a segment competes at all.
 struct ReachBoxRule {
     bool on = false;
@@ -87,6 +93,7 @@ class Search {
         signed char side[room];
         Settled settled[room];
         Path path[room];
+        PathTally tally;  ///< of this batch
 
         Retained retained(int i) const;
 
@@ -124,7 +131,11 @@ class Search {
     };
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
-    float core(int place) const;
+    float core(int place) const {
+        const float margin = margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
+        return margin >= 0 ? margin : new_core(place);
+    }
+    float new_core(int place) const;
     void find_cores(int segment) const;
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;

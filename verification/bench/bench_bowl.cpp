@@ -53,11 +53,12 @@ int main(int count, char** argument) {
         const double nodes = static_cast<double>(bowl.scene.model->interfaces[0].secondary.node.size());
         std::vector<double> lean, whole;
         double first = 0, second = 0;
+        ContactStep step;
         for (int c = 0; c < cycles; ++c) {
             const Motion motion = bowl.motion(c);
             const Watch from(threads == 1);
             if (c % 10 == 9) {
-                const ContactStep step = contact.step(motion);
+                contact.step(motion, step);
                 whole.push_back(from.nanoseconds() / nodes);
             } else {
                 contact.step_lean(motion);
@@ -65,6 +66,11 @@ int main(int count, char** argument) {
                 if (c == 0) first = lean.back();
                 if (c == 1) second = lean.back();
             }
+        }
+        if (whole.empty()) {
+            fmt::print(stderr, "bench_bowl: {} cycles are too few: every tenth is a whole step; give 10 or more\n",
+                       cycles);
+            return 2;
         }
         const Spread l = spread(lean), w = spread(whole);
         const optimized::PathCounts p = contact.paths();
