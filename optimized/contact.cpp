@@ -15,7 +15,7 @@ namespace type21::optimized {
 
 namespace {
 
-constexpr int chunk = TermBlock::room;  ///< nodes that one thread takes at a time
+constexpr int chunk = Search::Batch::room;  ///< nodes that one thread takes at a time
 
 /// k of a node, Stfac S between Stmin and Stmax, or Stfac alone.
 /// @page field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01
@@ -49,9 +49,8 @@ struct Contact::State {
         ContactPoint point;
     };
     First first_look(size_t i, const Vec3& position, const ToolMotion& pose) const;
-    /// Runs the kernel over all nodes. out: room for all nodes, or nullptr, and then each chunk is handed to `lean`.
-    template <class Lean>
-    void run(const Motion& motion, NodeContact* out, const Lean& lean);
+    /// Runs the kernel over all nodes.
+    void run(const Motion& motion, const Output& out);
     ContactSums sums() const;
     ToolLoad tool_load(const Motion& motion) const;
     bool active(double time) const;
@@ -62,7 +61,7 @@ struct Contact::State {
     Laws laws;
     NodeData nodes;
     double reach;  ///< that the search holds for [length]
-    Kernel kernel;
+    Kernel one_by_one;
     double least_inertia = 0;  ///< smallest principal inertia of the tool [mass length^2]
     bool started = false;
     int inacti;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0
@@ -105,7 +104,7 @@ Contact::State::State(const Scene& scene_, int interface_)
         reach = std::max(reach, nodes.deciding_gap(i));
     new_search();
     lists.resize((n + chunk - 1) / chunk);
-    kernel = kernel_for(laws.effects());
+    one_by_one = kernel_for(laws.effects());
     const RigidBody& tool = laws.model->rigid_bodies[static_cast<size_t>(card.tool)];
     if (has(Effect::tool_damping) && card.tool_rotates)
         least_inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
@@ -191,13 +190,15 @@ void Contact::State::start(const Motion& motion) {
     if (!any && laws.as_built(Departure::D26)) inacti = 0;
 }
 
-template <class Lean>
-void Contact::State::run(const Motion& motion, NodeContact* out, const Lean& lean_out) {
+void Contact::State::run(const Motion& motion, const Output& out) {
     const Cycle cycle(laws, motion, inacti);
     const int count = static_cast<int>(nodes.node.size());
+    const bool lanes = in_lanes(laws.effects()) && !cycle.time_zero && laws.proximity == 0;
+    const Kernel kernel = lanes ? lanes_kernel : one_by_one;
     for (Workspace& w : work) {
         w.sums.clear();
         w.tally = {};
+        w.terms.clear();  // an exception may have left some
     }
     tbb::parallel_for(
         tbb::blocked_range<int>(0, static_cast<int>(lists.size())),
@@ -205,12 +206,9 @@ void Contact::State::run(const Motion& motion, NodeContact* out, const Lean& lea
             Workspace& w = work.local();
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
-                if (out == nullptr && w.nodes.empty()) w.nodes.resize(chunk);
-                NodeContact* to = out == nullptr ? w.nodes.data() : out + first;
                 ChunkLists& own = lists[static_cast<size_t>(c)];
                 own.clear();
-                kernel(laws, cycle, nodes, first, last, to, own, w);
-                lean_out(first, last, to);
+                kernel(laws, cycle, nodes, first, last, out, own, w);
             }
         },
         tbb::static_partitioner());
@@ -219,11 +217,13 @@ void Contact::State::run(const Motion& motion, NodeContact* out, const Lean& lea
     for (Workspace& w : work) {
         total.add(w.sums);
         counts.certified += w.tally.certified;
+        counts.paired += w.tally.paired;
         counts.quiet += w.tally.quiet;
         counts.searched += w.tally.searched;
         counts.fine += w.tally.fine;
         counts.whole += w.tally.whole;
     }
+    if (lanes && !laws.has(effect::friction)) total.without_friction();
 }
 
 ContactSums Contact::State::sums() const {
@@ -285,14 +285,23 @@ Contact::Contact(const Scene& scene, int interface) : state_(std::make_unique<St
 Contact::~Contact() = default;
 
 ContactStep Contact::step(const Motion& motion) {
+    ContactStep one;
+    step(motion, one);
+    return one;
+}
+
+void Contact::step(const Motion& motion, ContactStep& step) {
     State& state = *state_;
-    ContactStep step;
+    // All but the memory is new.
+    std::vector<NodeContact> nodes = std::move(step.nodes);
+    step = {};
     if (!state.started) state.start(motion);
     step.active = state.active(motion.time);
-    if (!step.active) return step;
+    if (!step.active) return;
     state.update_gaps(motion, step);
+    step.nodes = std::move(nodes);
     step.nodes.resize(state.nodes.node.size());
-    state.run(motion, step.nodes.data(), [](int, int, const NodeContact*) {});
+    state.run(motion, {step.nodes.data(), nullptr, nullptr});
     for (const ChunkLists& own : state.lists) {
         step.released.insert(step.released.end(), own.released.begin(), own.released.end());
         step.inverted.insert(step.inverted.end(), own.inverted.begin(), own.inverted.end());
@@ -301,7 +310,6 @@ ContactStep Contact::step(const Motion& motion) {
     step.sums = state.sums();
     step.tool = state.tool_load(motion);
     if (state.adaptive) step.adaptive = state.adaptive->elements(step.nodes, motion.position);
-    return step;
 }
 
 const LeanStep& Contact::step_lean(const Motion& motion) {
@@ -318,12 +326,7 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
     state.update_gaps(motion, gaps);
     state.lean_force.resize(state.nodes.node.size());
     state.lean_stiffness.resize(state.nodes.node.size());
-    state.run(motion, nullptr, [&](int first, int last, const NodeContact* nodes) {
-        for (int i = first; i < last; ++i) {
-            state.lean_force[static_cast<size_t>(i)] = nodes[i - first].force;
-            state.lean_stiffness[static_cast<size_t>(i)] = nodes[i - first].step_stiffness;
-        }
-    });
+    state.run(motion, {nullptr, state.lean_force.data(), state.lean_stiffness.data()});
     lean.force = state.lean_force;
     lean.step_stiffness = state.lean_stiffness;
     lean.sums = state.sums();
@@ -336,7 +339,8 @@ Funnel Contact::funnel() const {
     Funnel funnel;
     // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
     funnel.nothing_near = counts.quiet;
-    funnel.settled = {counts.certified + counts.searched - counts.fine - counts.whole, counts.fine, counts.whole};
+    funnel.settled = {counts.certified + counts.paired + counts.searched - counts.fine - counts.whole, counts.fine,
+                      counts.whole};
     return funnel;
 }
 

@@ -20,6 +20,7 @@ struct LeanStep {
 struct PathCounts {
     long nodes = 0;      ///< asked
     long certified = 0;  ///< by the core of the last sub-triangle
+    long paired = 0;     ///< between it and its neighbour over one side
     long quiet = 0;      ///< by the clearance of a node that nothing takes
     long searched = 0;   ///< by the tree
     long fine = 0;       ///< of these, settled in 100 bits
@@ -33,6 +34,8 @@ class Contact final : public ContactMethod {
     ~Contact() override;
 
     ContactStep step(const Motion& motion) override;
+    /// The same into a step of before, whose memory is used again.
+    void step(const Motion& motion, ContactStep& step);
     /// The same cycle without the per-node report. Lists of released and inverted nodes, heat and adaptive data are in
     /// the full step only; a scene that asks for one of them is refused.
     /// @throws std::logic_error then

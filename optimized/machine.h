@@ -1,10 +1,26 @@
-/// @file Functions compiled for several machines; the one that runs is chosen when the program starts.
+/// @file Code for the registers of several machines; the machine is asked when the program runs.
 #pragma once
 
-/// Wider registers where the machine has them. Nothing is contracted: each gives the same bits.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define TYPE21_FOR_EACH_MACHINE __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define TYPE21_FOR_EACH_MACHINE
-#endif
+namespace type21::optimized {
+
 #define TYPE21_INLINE inline __attribute__((always_inline))
+#if defined(__GNUC__) && defined(__x86_64__)
+#define TYPE21_AVX2 __attribute__((target("avx2")))
+#define TYPE21_AVX512 __attribute__((target("avx512f")))
+#define TYPE21_FMA __attribute__((target("avx2,fma")))
+#else
+#define TYPE21_AVX2
+#define TYPE21_AVX512
+#define TYPE21_FMA
+#endif
+
+/// How many doubles a register holds. Loops for each machine are one template, compiled with 2, 4 or 8 lanes; every
+/// operation is that of one double and nothing is contracted: each gives the same bits.
+enum class Machine { two = 2, four = 4, eight = 8 };
+
+/// The widest that this processor has.
+Machine this_machine();
+/// Has it a fused multiply-add? Used for exact products only, which are the same with and without it.
+bool has_fma();
+
+}  // namespace type21::optimized

@@ -18,8 +18,8 @@ struct Range<double> {
     static constexpr double smallest_length = 1e-60, largest_length = 1e60, smallest_normal = 1e-30,
                             largest_normal = 1e30;
 };
-template <>
-struct Range<TwoDoubles> {
+template <bool fused>
+struct Range<TwoDoublesOf<fused>> {
     static constexpr double smallest_length = 1e-30, largest_length = 1e30, smallest_normal = 1e-10,
                             largest_normal = 1e10;
 };
@@ -28,9 +28,17 @@ constexpr double too_coarse = 1e-4;
 constexpr double second_order = 1.01;
 
 template <class Real>
-Real clip(const Real& w) {
+TYPE21_INLINE Real clip(const Real& w) {
     if (leading(w) < 0) return Real(0);
     return w > Real(1) ? Real(1) : w;
+}
+
+TwoDoubles two_doubles(double v) {
+    return v;
+}
+template <bool fused>
+TwoDoubles two_doubles(const TwoDoublesOf<fused>& v) {
+    return {v.high, v.low};
 }
 
 enum class Answer { no, yes, unsure };
@@ -44,7 +52,7 @@ Answer positive(double value, double bound) {
 
 /// Are the weights (scaled by total > 0) within the limits, each test known to within bound?
 template <class Real>
-Answer inside(const Real& b, const Real& c, const Real& total, double bound, const Rules& rules) {
+TYPE21_INLINE Answer inside(const Real& b, const Real& c, const Real& total, double bound, const Rules& rules) {
     const double over_b = leading(b - Real(rules.low) * total);
     const double over_c = leading(c - Real(rules.low) * total);
     const double under = leading(Real(rules.high) * total - (b + c));
@@ -54,8 +62,8 @@ Answer inside(const Real& b, const Real& c, const Real& total, double bound, con
 
 /// @param fine  filled with kappa as it was computed; nullptr: not asked for
 template <class Real>
-inline FilterResult filter_in(const V3& p, const SegmentData& segment, const LocalSegmentIn<Real>& local, int k,
-                              const Window& window, const Rules& rules, FineKappa* fine) {
+TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, const LocalSegmentIn<Real>& local, int k,
+                                     const Window& window, const Rules& rules, FineKappa* fine) {
     constexpr double e = Rounding<Real>::unit;
     const Real one(1);
     FilterResult result;
@@ -217,7 +225,7 @@ inline FilterResult filter_in(const V3& p, const SegmentData& segment, const Loc
     landing.innermost = std::min(leading(a1), std::min(leading(b1), leading(c1))) - db;
     landing.weight_bound = q_bound + 2 * 0x1p-53;
     landing.kappa_bound = 4.1 * q_bound + 12 * 0x1p-53;
-    if (fine != nullptr) *fine = {TwoDoubles(kappa), 4.1 * q_bound + 12 * e};
+    if (fine != nullptr) *fine = {two_doubles(kappa), 4.1 * q_bound + 12 * e};
     result.verdict = kind == Kind::none ? Verdict::beyond : Verdict::taken;
     return result;
 }
@@ -229,9 +237,26 @@ FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment&
     return filter_in<double>(p, segment, local, k, window, rules, nullptr);
 }
 
+namespace {
+
+template <bool fused>
+TYPE21_INLINE FilterResult fine_filter_in(const V3& p, const SegmentData& segment, int k, const Window& window,
+                                          const Rules& rules, FineKappa& kappa) {
+    using Real = TwoDoublesOf<fused>;
+    return filter_in<Real>(p, segment, local_segment_in<Real>(segment), k, window, rules, &kappa);
+}
+
+TYPE21_FMA FilterResult fused_filter(const V3& p, const SegmentData& segment, int k, const Window& window,
+                                     const Rules& rules, FineKappa& kappa) {
+    return fine_filter_in<true>(p, segment, k, window, rules, kappa);
+}
+
+}  // namespace
+
 FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const Window& window, const Rules& rules,
                          FineKappa& kappa) {
-    return filter_in<TwoDoubles>(p, segment, local_segment_in<TwoDoubles>(segment), k, window, rules, &kappa);
+    return has_fma() ? fused_filter(p, segment, k, window, rules, kappa)
+                     : fine_filter_in<false>(p, segment, k, window, rules, kappa);
 }
 
 }  // namespace type21::optimized

@@ -42,8 +42,9 @@ bool foreseen(const SegmentData& segment, int k, double extent, double growth) {
     if (!(coordinate_bound < foreseen_share && eta * w < foreseen_share && db < 0.5 * foreseen_share &&
           interpolated_bound < 1e-3 * least_slope))
         return false;
-    // With weights >= 0 in step 2, up to db, <n, N> is at least the least slope.
-    const double slope = 0.99 * least_slope;
+    // With weights >= -0.01 in step 2, up to db, at most two of them are negative, and the third is at most 1.02.
+    const double slope = 0.99 * (1.02 * least_slope - 0.02 * most_slope);
+    if (!(slope > 0.5 * least_slope)) return false;
     const double lift = growth * length / slope;
     const double lift_bound = (height_bound + lift * interpolated_bound) / slope * more + e * lift;
     const double n_bound = 9.1 * db * sideways + 59 * eta * nm * gm;

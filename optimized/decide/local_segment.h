@@ -18,12 +18,12 @@ struct LocalSegmentIn {
 };
 
 template <class Real>
-Triple<Real> widened(const V3& v) {
+TYPE21_INLINE Triple<Real> widened(const V3& v) {
     return {Real(v.x), Real(v.y), Real(v.z)};
 }
 
 template <class Real>
-LocalSegmentIn<Real> local_segment_in(const SegmentData& s) {
+TYPE21_INLINE LocalSegmentIn<Real> local_segment_in(const SegmentData& s) {
     LocalSegmentIn<Real> l;
     l.origin = s.triangle ? s.node[2] : s.node[0];
     const Triple<Real> o = widened<Real>(l.origin);

@@ -1,97 +1,74 @@
 #include "optimized/decide/plain_landing.h"
 
-#include "optimized/machine.h"
+#include "optimized/decide/foreseen_bounds.h"
+#include "optimized/lanes.h"
 
 namespace type21::optimized {
 
 namespace {
 
-using Vector = Triple<Lanes>;
+/// The columns from `at` on.
+template <int W>
+TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) {
+    using L = Lanes<W>;
+    using I = WholeLanes<L>;
+    using V = VectorLanes<L>;
+    V y, d0, d1, d2, d3, n0, n1, n2, n3;
+    I code;
+    load(rows.y[0] + at, rows.y[1] + at, rows.y[2] + at, y);
+    load(rows.corner[0][0] + at, rows.corner[0][1] + at, rows.corner[0][2] + at, d0);
+    load(rows.corner[1][0] + at, rows.corner[1][1] + at, rows.corner[1][2] + at, d1);
+    load(rows.corner[2][0] + at, rows.corner[2][1] + at, rows.corner[2][2] + at, d2);
+    load(rows.corner[3][0] + at, rows.corner[3][1] + at, rows.corner[3][2] + at, d3);
+    load(rows.normal[0][0] + at, rows.normal[0][1] + at, rows.normal[0][2] + at, n0);
+    load(rows.normal[1][0] + at, rows.normal[1][1] + at, rows.normal[1][2] + at, n1);
+    load(rows.normal[2][0] + at, rows.normal[2][1] + at, rows.normal[2][2] + at, n2);
+    load(rows.normal[3][0] + at, rows.normal[3][1] + at, rows.normal[3][2] + at, n3);
+    load(rows.code + at, code);
+    const I odd = -(code & 1), late = -((code >> 1) & 1), triangle = -((code >> 2) & 1);
+    const L zero = (L)(code ^ code);
 
-TYPE21_INLINE void load(const double* from, Lanes& to) {
-    __builtin_memcpy(&to, from, sizeof(to));
-}
-TYPE21_INLINE void store(const Lanes& from, double* to) {
-    __builtin_memcpy(to, &from, sizeof(from));
-}
-TYPE21_INLINE void load(const double (*from)[lanes], Vector& to) {
-    load(from[0], to.x);
-    load(from[1], to.y);
-    load(from[2], to.z);
-}
-TYPE21_INLINE void minus(const Vector& p, const Vector& q, Vector& r) {
-    r.x = p.x - q.x;
-    r.y = p.y - q.y;
-    r.z = p.z - q.z;
-}
-TYPE21_INLINE void scale(Vector& p, const Lanes& f) {
-    p.x *= f;
-    p.y *= f;
-    p.z *= f;
-}
-TYPE21_INLINE void cross_of(const Vector& p, const Vector& q, Vector& r) {
-    r.x = p.y * q.z - p.z * q.y;
-    r.y = p.z * q.x - p.x * q.z;
-    r.z = p.x * q.y - p.y * q.x;
-}
-TYPE21_INLINE void dot_of(const Vector& p, const Vector& q, Lanes& r) {
-    r = (p.x * q.x + p.y * q.y) + p.z * q.z;
-}
-TYPE21_INLINE void least_of(const Lanes& p, Lanes& r) {
-    r = p < r ? p : r;
-}
-TYPE21_INLINE void most_magnitude(const Lanes& p, Lanes& r) {
-    const Lanes size = p < 0 ? -p : p;
-    r = size > r ? size : r;
-}
-
-}  // namespace
-
-TYPE21_FOR_EACH_MACHINE
-void plain_landing(PlainRows& rows) {
-    using R = PlainRows;
-    Vector p, o, x1, x2, x3, b, c, l1, l2, l3, l4, na, nb, nc;
-    load(rows.in + R::px, p);
-    load(rows.in + R::ox, o);
-    load(rows.in + R::x1, x1);
-    load(rows.in + R::x2, x2);
-    load(rows.in + R::x3, x3);
-    load(rows.in + R::bx, b);
-    load(rows.in + R::cx, c);
-    load(rows.in + R::l1x, l1);
-    load(rows.in + R::l2x, l2);
-    load(rows.in + R::l3x, l3);
-    load(rows.in + R::l4x, l4);
-    load(rows.in + R::nbx, nb);
-    load(rows.in + R::ncx, nc);
-    Lanes quarter, normal_quarter;
-    load(rows.in[R::quarter], quarter);
-    load(rows.in[R::normal_quarter], normal_quarter);
-
-    Vector center, e1, e2, u, far;
-    minus(p, o, far);
-    minus(x1, o, x1);
-    minus(x2, o, x2);
-    minus(x3, o, x3);
-    center.x = (x1.x + x2.x) + x3.x;
-    center.y = (x1.y + x2.y) + x3.y;
-    center.z = (x1.z + x2.z) + x3.z;
-    scale(center, quarter);
-    na.x = (l1.x + l2.x) + (l3.x + l4.x);
-    na.y = (l1.y + l2.y) + (l3.y + l4.y);
-    na.z = (l1.z + l2.z) + (l3.z + l4.z);
-    scale(na, normal_quarter);
-    minus(b, o, b);
-    minus(b, center, e1);
-    minus(c, o, c);
-    minus(c, center, e2);
+    // o, A - o, n_A: a triangle has its third corner for all of them.
+    V o = d0, center, na, far, u;
+    choose(triangle, d2, o);
+    minus(d0, o, d0);
+    minus(d1, o, d1);
+    minus(d2, o, d2);
+    minus(d3, o, d3);
+    L quarter = zero + 0.25;
+    choose(triangle, zero, quarter);
+    center.x = ((d1.x + d2.x) + d3.x) * quarter;
+    center.y = ((d1.y + d2.y) + d3.y) * quarter;
+    center.z = ((d1.z + d2.z) + d3.z) * quarter;
+    na.x = ((n0.x + n1.x) + (n2.x + n3.x)) * 0.25;
+    na.y = ((n0.y + n1.y) + (n2.y + n3.y)) * 0.25;
+    na.z = ((n0.z + n1.z) + (n2.z + n3.z)) * 0.25;
+    choose(triangle, n2, na);
+    minus(y, o, far);
     minus(far, center, u);
 
-    Vector area, g1, g2;
-    Lanes d2, height, sa, sb, sc;
+    // B and C of sub-triangle k are corners k and k + 1.
+    V b = d0, c = d1, nb = n0, nc = n1, b_late = d2, c_late = d3, nb_late = n2, nc_late = n3;
+    choose(odd, d1, b);
+    choose(odd, d2, c);
+    choose(odd, n1, nb);
+    choose(odd, n2, nc);
+    choose(odd, d3, b_late);
+    choose(odd, d0, c_late);
+    choose(odd, n3, nb_late);
+    choose(odd, n0, nc_late);
+    choose(late, b_late, b);
+    choose(late, c_late, c);
+    choose(late, nb_late, nb);
+    choose(late, nc_late, nc);
+
+    V e1, e2, area, g1, g2;
+    L square, height, sa, sb, sc;
+    minus(b, center, e1);
+    minus(c, center, e2);
     cross_of(e1, e2, area);
-    dot_of(area, area, d2);
-    const Lanes of_square = 1.0 / d2;
+    dot_of(area, area, square);
+    const L of_square = 1.0 / square;
     cross_of(e2, area, g1);
     scale(g1, of_square);
     cross_of(area, e1, g2);
@@ -101,7 +78,7 @@ void plain_landing(PlainRows& rows) {
     dot_of(nb, area, sb);
     dot_of(nc, area, sc);
 
-    Lanes px, py, xa, ya, xb, yb, xc, yc;
+    L px, py, xa, ya, xb, yb, xc, yc;
     dot_of(u, g1, px);
     dot_of(u, g2, py);
     dot_of(na, g1, xa);
@@ -110,42 +87,131 @@ void plain_landing(PlainRows& rows) {
     dot_of(nb, g2, yb);
     dot_of(nc, g1, xc);
     dot_of(nc, g2, yc);
-    const Lanes ra = height / sa, rb = height / sb, rc = height / sc;
-    const Lanes ax = ra * xa - px, ay = ra * ya - py;
-    const Lanes bx = (1.0 + rb * xb) - px, by = rb * yb - py;
-    const Lanes cx = rc * xc - px, cy = (1.0 + rc * yc) - py;
-    const Lanes wa = bx * cy - by * cx;
-    const Lanes wb = cx * ay - cy * ax;
-    const Lanes wc = ax * by - ay * bx;
-    const Lanes total = wa + wb + wc;
-    const Lanes inverse = 1.0 / total;
-    const Lanes b1 = wb * inverse, c1 = wc * inverse, a1 = wa * inverse;
-    const Lanes slope = a1 * sa + b1 * sb + c1 * sc;
-    const Lanes lift = height / slope;
-    const Lanes nx = a1 * xa + b1 * xb + c1 * xc;
-    const Lanes ny = a1 * ya + b1 * yb + c1 * yc;
-    const Lanes shift_x = nx * lift, shift_y = ny * lift;
-    const Lanes landed_b = px - shift_x, landed_c = py - shift_y;
+    const L ra = height / sa, rb = height / sb, rc = height / sc;
+    const L ax = ra * xa - px, ay = ra * ya - py;
+    const L bx = (1.0 + rb * xb) - px, by = rb * yb - py;
+    const L cx = rc * xc - px, cy = (1.0 + rc * yc) - py;
+    const L wa = bx * cy - by * cx;
+    const L wb = cx * ay - cy * ax;
+    const L wc = ax * by - ay * bx;
+    const L total = wa + wb + wc;
+    const L inverse = 1.0 / total;
+    const L b1 = wb * inverse, c1 = wc * inverse, a1 = wa * inverse;
+    const L slope = a1 * sa + b1 * sb + c1 * sc;
+    const L lift = height / slope;
+    const L nx = a1 * xa + b1 * xb + c1 * xc;
+    const L ny = a1 * ya + b1 * yb + c1 * yc;
+    const L shift_x = nx * lift, shift_y = ny * lift;
+    const L landed_b = px - shift_x, landed_c = py - shift_y;
+    V n, x;
+    n.x = (na.x * a1 + nb.x * b1) + nc.x * c1;
+    n.y = (na.y * a1 + nb.y * b1) + nc.y * c1;
+    n.z = (na.z * a1 + nb.z * b1) + nc.z * c1;
+    x.x = o.x + (center.x + (e1.x * landed_b + e2.x * landed_c));
+    x.y = o.y + (center.y + (e1.y * landed_b + e2.y * landed_c));
+    x.z = o.z + (center.z + (e1.z * landed_b + e2.z * landed_c));
 
-    Lanes inner = a1, farthest = px - px;
+    store(landed_b, rows.b + at);
+    store(landed_c, rows.c + at);
+    store(lift, rows.lift + at);
+    store(n, rows.n[0] + at, rows.n[1] + at, rows.n[2] + at);
+    store(x, rows.x[0] + at, rows.x[1] + at, rows.x[2] + at);
+    store(a1, rows.weight[0] + at);
+    store(b1, rows.weight[1] + at);
+    store(c1, rows.weight[2] + at);
+    store(total, rows.total + at);
+    store(height, rows.height + at);
+    store(square, rows.square + at);
+    store(px, rows.p + at);
+    store(py, rows.q + at);
+    L farthest, other;
+    magnitude_of(far.x, farthest);
+    magnitude_of(far.y, other);
+    most_of(other, farthest);
+    magnitude_of(far.z, other);
+    most_of(other, farthest);
+    store(farthest, rows.far + at);
+
+    // Is that all? NaN compares false everywhere.
+    L core, size, gap, p_size, q_size, normal_square;
+    load(rows.core + at, core);
+    load(rows.size + at, size);
+    load(rows.gap + at, gap);
+    magnitude_of(px, p_size);
+    magnitude_of(py, q_size);
+    dot_of(n, n, normal_square);
+    L inner = a1, least = (1.0 - landed_b) - landed_c;
     least_of(b1, inner);
     least_of(c1, inner);
-    most_magnitude(far.x, farthest);
-    most_magnitude(far.y, farthest);
-    most_magnitude(far.z, farthest);
-    store(landed_b, rows.out[R::rb]);
-    store(landed_c, rows.out[R::rc]);
-    store(lift, rows.out[R::rlift]);
-    store((na.x * a1 + nb.x * b1) + nc.x * c1, rows.out[R::rnx]);
-    store((na.y * a1 + nb.y * b1) + nc.y * c1, rows.out[R::rny]);
-    store((na.z * a1 + nb.z * b1) + nc.z * c1, rows.out[R::rnz]);
-    store(height, rows.out[R::rheight]);
-    store(d2, rows.out[R::rsquare]);
-    store(total, rows.out[R::rtotal]);
-    store(inner, rows.out[R::rinner]);
-    store(px, rows.out[R::rp]);
-    store(py, rows.out[R::rq]);
-    store(farthest, rows.out[R::rfar]);
+    least_of(landed_b, least);
+    least_of(landed_c, least);
+    const L rounding = foreseen_share * size;
+    const L height2 = height * height, enlarged = height2 * (1 + 1e-9);
+    const I behind = (I)height >> 63;
+    L limit = zero + limits.outward, reach = gap;
+    choose(behind, zero + limits.inward, limit);
+    choose(behind, zero + limits.depth, reach);
+    const L distance2 = lift * lift * normal_square;
+    const L nearer = reach - 2.0 * rounding, farther = reach + 2.0 * rounding;
+    // Conditions are counted: GCC takes apart what joins several comparisons.
+    const L one = zero + 1.0;
+    L met = farthest <= size ? one : zero;
+    met += p_size <= 4.0 ? one : zero;
+    met += q_size <= 4.0 ? one : zero;
+    met += total >= 0.5 ? one : zero;
+    met += inner >= core + foreseen_share ? one : zero;
+    met += least >= foreseen_share ? one : zero;
+    met += height2 > 4.0 * rounding * rounding * square ? one : zero;
+    met += enlarged < limit * limit * square ? one : zero;
+    L touched = distance2 < nearer * nearer ? one : zero;
+    touched += nearer > 0.0 ? one : zero;
+    L certain = touched + met == 10.0 ? one : zero;
+    L beyond = zero + limits.proximity;
+    choose(behind, zero, beyond);
+    beyond += 2.0 * rounding;
+    most_of(farther, beyond);
+    const L missed = distance2 > beyond * beyond ? zero + 10.0 : zero;
+    certain -= missed + met == 18.0 ? one : zero;
+    store(limits.decide ? certain : zero, rows.certain + at);
+}
+
+template <int W>
+TYPE21_INLINE void land_all(LandingRows& rows, int count, const LandingLimits& limits) {
+    for (int at = 0; at < count; at += W)
+        land<W>(rows, at, limits);
+}
+
+TYPE21_AVX512 void land_eight(LandingRows& rows, int count, const LandingLimits& limits) {
+    land_all<8>(rows, count, limits);
+}
+TYPE21_AVX2 void land_four(LandingRows& rows, int count, const LandingLimits& limits) {
+    land_all<4>(rows, count, limits);
+}
+void land_two(LandingRows& rows, int count, const LandingLimits& limits) {
+    land_all<2>(rows, count, limits);
+}
+
+}  // namespace
+
+void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Machine machine) {
+    if (machine == Machine::eight) {
+        land_eight(rows, count, limits);
+    } else if (machine == Machine::four) {
+        land_four(rows, count, limits);
+    } else {
+        land_two(rows, count, limits);
+    }
+}
+
+V3 landed_at(const SegmentData& segment, int piece, double b, double c) {
+    const V3 o = segment.node[segment.triangle ? 2 : 0];
+    const PieceCorners corner = piece_corners(segment.triangle, piece);
+    std::array<V3, 4> local;
+    for (size_t j = 0; j < 4; ++j)
+        local[j] = segment.node[j] - o;
+    const V3 center = ((local[1] + local[2]) + local[3]) * (segment.triangle ? 0.0 : 0.25);
+    const V3 e1 = local[static_cast<size_t>(corner.b)] - center, e2 = local[static_cast<size_t>(corner.c)] - center;
+    return o + (center + (e1 * b + e2 * c));
 }
 
 }  // namespace type21::optimized

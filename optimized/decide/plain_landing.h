@@ -1,68 +1,53 @@
-/// @file The projection in plain double, four nodes at a time, without a single bound: for where bounds are known
+/// @file The projection in plain double, many nodes at a time, without a single bound: for where bounds are known
 /// before.
 #pragma once
 
-#include "optimized/decide/vector3.h"
+#include "optimized/decide/segment.h"
+#include "optimized/machine.h"
 
 namespace type21::optimized {
 
-/// Four doubles. Element by element the operations are those of one double: the same bits on any machine.
-constexpr int lanes = 4;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+/// Up to `room` nodes, each on a sub-triangle of its own: a row a number, a column a node.
+struct LandingRows {
+    static constexpr int room = 64;
+    using Row = double[room];
 
-/// Numbers of a sub-triangle and of the node on it, one row a number, one column a lane.
-struct PlainRows {
-    enum Row {
-        px,
-        py,
-        pz,  // the node
-        ox,
-        oy,
-        oz,  // o, see LocalSegmentIn
-        x1,
-        y1,
-        z1,
-        x2,
-        y2,
-        z2,
-        x3,
-        y3,
-        z3,  // the other corners
-        bx,
-        by,
-        bz,
-        cx,
-        cy,
-        cz,  // B, C
-        l1x,
-        l1y,
-        l1z,
-        l2x,
-        l2y,
-        l2z,
-        l3x,
-        l3y,
-        l3z,
-        l4x,
-        l4y,
-        l4z,  // normals whose mean is n_A
-        nbx,
-        nby,
-        nbz,
-        ncx,
-        ncy,
-        ncz,
-        quarter,
-        normal_quarter,  // of a quad; a triangle has 0 and 1
-        in_count
-    };
-    enum Result { rb, rc, rlift, rnx, rny, rnz, rheight, rsquare, rtotal, rinner, rp, rq, rfar, out_count };
-    alignas(64) double in[in_count][lanes];
-    alignas(64) double out[out_count][lanes];
+    // Asked.
+    alignas(64) Row y[3];              ///< the node in the tool frame [length]
+    alignas(64) Row corner[4][3];      ///< x_j of the segment [length]
+    alignas(64) Row normal[4][3];      ///< n_j [-]
+    alignas(64) long long code[room];  ///< k - 1, of a triangle 4
+    alignas(64) Row core;              ///< m(T) of Search; at least 1: none
+    alignas(64) Row size;              ///< foreseen_size [length]
+    alignas(64) Row gap;               ///< that decides contact [length]
+
+    // Found. Each number is computed with the operations of filter(), in their order.
+    alignas(64) Row b, c;       ///< of Q
+    alignas(64) Row lift;       ///< H / <n, N>
+    alignas(64) Row n[3];       ///< n
+    alignas(64) Row x[3];       ///< X = aA + bB + cC [length]
+    alignas(64) Row weight[3];  ///< of step 2: a', b', c'
+    alignas(64) Row total;      ///< W of step 2
+    alignas(64) Row height;     ///< H
+    alignas(64) Row square;     ///< |N|^2
+    alignas(64) Row p, q, far;  ///< coordinates of the node in (A, B, C), largest |P - o|
+    alignas(64) Row certain;    ///< 1: this sub-triangle, contact; -1: nothing; 0: not known from this alone
 };
 
-/// Fills out: b, c, lift = H / <n, N>, n, H, |N|^2, W of step 2, the smallest weight of step 2, p and q of the node,
-/// and the largest |P - o|. Each is computed with the operations of filter(), in their order.
-void plain_landing(PlainRows& rows);
+/// What holds for all nodes of a tool.
+struct LandingLimits {
+    double outward, inward;  ///< Search::limits [length]
+    double depth;            ///< DEPTH of the window, at most inward [length]
+    double proximity;        ///< of the window: nearer than this is not decided where it is no contact [length]
+    bool decide;             ///< may `certain` be anything but 0?
+};
+
+/// Fills what is found. `certain` is not 0 where the node is one for which bounds were foreseen (foreseen_bounds.h), it
+/// lies in the core, lands inside without being clipped, off the plane and away from its reach by more than rounding.
+/// @param count  columns; up to the next multiple of eight are computed
+void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Machine machine = this_machine());
+
+/// X of a node that has come to b, c otherwise, with the same operations.
+V3 landed_at(const SegmentData& segment, int piece, double b, double c);
 
 }  // namespace type21::optimized

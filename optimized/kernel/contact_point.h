@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optimized/decide/decide.h"
+#include "optimized/decide/plain_landing.h"
 #include "optimized/search/tool.h"
 #include "reference/contact/decision.h"
 #include "reference/host/motion.h"
@@ -44,12 +45,8 @@ struct PointWeights {
 
 /// X = aA + bB + cC, nu = n / |n|, delta = lift |n|.
 inline ContactPoint contact_point(const Tool& tool, const Retained& r, const ToolMotion& pose) {
-    const SegmentData s = tool.segment(r.segment);
-    const PieceCorners k = piece_corners(s.triangle, r.piece);
     const Landing& l = r.landing;
-    const PointWeights w{1 - l.b - l.c, l.b, l.c};
-    const V3 x = w.of(s.triangle ? s.node[2] : mean_of(s.node), s.node[static_cast<size_t>(k.b)],
-                      s.node[static_cast<size_t>(k.c)]);
+    const V3 x = landed_at(tool.segment(r.segment), r.piece, l.b, l.c);
     const double length = norm(l.normal);
     ContactPoint point;
     point.distance = l.lift * length;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "optimized/kernel/node_data.h"
+#include "optimized/kernel/force_rows.h"
 
 namespace type21::optimized {
 
@@ -36,7 +36,32 @@ Laws::Laws(const Scene& scene, int interface)
                (asked(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
     if (!coulomb || deletion || skid || release || normals_test || d05 || d11 || d12 || d33)
         effects_ |= effect::rare | effect::any;
+    const auto vector = [&](Term first) {
+        for (int i = 0; i < 3; ++i)
+            terms_.push_back(static_cast<Term>(static_cast<int>(first) + i));
+    };
+    vector(Term::normal_x);
+    vector(Term::abs_normal_x);
+    vector(Term::moment_x);
+    for (const Term t :
+         {Term::signed_normal, Term::norm_total, Term::elastic_energy, Term::step_stiffness, Term::step_rotation})
+        terms_.push_back(t);
+    if (has(effect::damping)) terms_.push_back(Term::damping_work);
+    if (has(effect::friction)) {
+        vector(Term::tangential_x);
+        vector(Term::abs_total_x);
+        vector(Term::force_x);
+        terms_.push_back(Term::friction_work);
+    }
+    if (asked(Effect::tool_damping)) {
+        terms_.push_back(Term::stiffness);
+        terms_.push_back(Term::rotation);
+    }
 }
+
+Workspace::Workspace() : batch(std::make_unique<Search::Batch>()), forces(std::make_unique<ForceRows>()) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
 
 Cycle::Cycle(const Laws& laws, const Motion& motion_, int inacti_)
     : motion(motion_),

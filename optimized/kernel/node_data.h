@@ -52,6 +52,8 @@ struct Laws {
     bool as_built(Departure d) const { return model->as_built.has(d); }
     unsigned effects() const { return effects_; }
     bool has(unsigned one) const { return (effects_ & one) != 0; }
+    /// The sums that lanes_kernel fills; without friction the others are copies of these or zero.
+    std::span<const Term> terms() const { return terms_; }
 
     std::shared_ptr<const Model> model;
     const Interface* card;
@@ -73,6 +75,7 @@ struct Laws {
 
   private:
     unsigned effects_ = 0;
+    std::vector<Term> terms_;
 };
 
 /// Numbers of one cycle.
@@ -98,24 +101,40 @@ struct ChunkLists {
     }
 };
 
-/// Paths of the decisions of a chunk.
-struct PathTally {
-    long certified = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
+struct ForceRows;
+
+/// Where a kernel writes, by rank of node. Without `node` only forces and stiffness are asked for.
+struct Output {
+    NodeContact* node = nullptr;
+    Vec3* force = nullptr;             ///< [force]
+    double* step_stiffness = nullptr;  ///< [force/length]
 };
 
 /// What one thread works with; nothing in it outlives a cycle but its memory.
 struct Workspace {
+    Workspace();
+    Workspace(Workspace&&) noexcept;
+    ~Workspace();
+
     TermBlock terms;
     StepSums sums;
     PathTally tally;
+    std::unique_ptr<Search::Batch> batch;
+    std::unique_ptr<ForceRows> forces;
     std::vector<NodeContact> nodes;  ///< of a chunk, for the lean step
 };
 
-/// One chunk of nodes, first <= i < last, of one cycle. out[i - first] is overwritten.
-using Kernel = void (*)(const Laws&, const Cycle&, NodeData&, int first, int last, NodeContact* out, ChunkLists&,
+/// One chunk of nodes, first <= i < last, of one cycle.
+using Kernel = void (*)(const Laws&, const Cycle&, NodeData&, int first, int last, const Output&, ChunkLists&,
                         Workspace&);
 
-/// The kernel with the effects of the scene and no others, where there is one; else the one that asks at run time.
+/// The kernel for one node after the other with the effects of the scene and no others, where there is one; else the
+/// one that asks at run time.
 Kernel kernel_for(unsigned effects);
+/// That for many nodes at once, for t > 0, no effects but damping, friction and pmax, and no proximity.
+void lanes_kernel(const Laws&, const Cycle&, NodeData&, int first, int last, const Output&, ChunkLists&, Workspace&);
+inline bool in_lanes(unsigned effects) {
+    return (effects & ~(effect::damping | effect::friction | effect::pmax)) == 0;
+}
 
 }  // namespace type21::optimized

@@ -257,49 +257,42 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
 }
 
 template <unsigned Effects>
-void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, int last, NodeContact* out,
+void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, int last, const Output& output,
             ChunkLists& lists, Workspace& work) {
+    work.nodes.resize(static_cast<size_t>(last - first));
+    NodeContact* const out = output.node != nullptr ? output.node + first : work.nodes.data();
     const bool heated = on<Effects>(laws, effect::heat);
     const int terms = static_cast<int>(heated ? Term::heat_to_tool : Term::friction_heat);
     const Motion& motion = cycle.motion;
-    Search::Found found[lanes];
-    for (int start = first; start < last; start += lanes) {
+    Search::Batch& batch = *work.batch;
+    batch.depth = laws.card->depth;
+    batch.proximity = laws.proximity;
+    for (int start = first; start < last; start += Search::Batch::room) {
         // Where nodes are and what they touch (sections 1, 3, 4). The transform is written as the formulation has it:
         // its rounding is part of the position that decisions are exact for.
-        const int count = std::min(lanes, last - start);
-        Search::Asked asked[lanes];
-        Ask why[lanes];
-        V3 y[lanes];
-        int place[lanes], questions = 0;
-        for (int j = 0; j < count; ++j) {
+        batch.count = std::min(Search::Batch::room, last - start);
+        Ask why[Search::Batch::room];
+        for (int j = 0; j < batch.count; ++j) {
             const auto i = static_cast<size_t>(start + j);
             why[j] = ask<Effects>(laws, cycle, nodes, i);
-            if (why[j] != Ask::yes) continue;
+            batch.memory[j] = why[j] == Ask::yes ? &nodes.memory[i] : nullptr;
             const Vec3& position = motion.position[static_cast<size_t>(nodes.node[i])];
             const Vec3 at = cycle.pose.rotation.transpose() * (position - cycle.pose.position);
-            y[j] = from(at);
-            place[questions] = j;
-            asked[questions++] = {y[j], {nodes.deciding_gap(i), laws.card->depth, laws.proximity}, &nodes.memory[i]};
+            for (int a = 0; a < 3; ++a)
+                batch.y[a][j] = at[a];
+            batch.gap[j] = nodes.deciding_gap(i);
         }
-        laws.search->find(asked, questions, laws.rules, found);
-        for (int q = 0; q < questions; ++q) {
-            PathTally& tally = work.tally;
-            tally.certified += found[q].path == Path::certified;
-            tally.quiet += found[q].path == Path::quiet;
-            tally.searched += found[q].path == Path::searched;
-            tally.fine += found[q].retained.settled == Settled::fine;
-            tally.whole += found[q].retained.settled == Settled::whole;
-        }
-        // All that a blank NodeContact holds is zero but for its Decision; one call for four is cheaper than four.
-        std::memset(static_cast<void*>(out + (start - first)), 0, static_cast<size_t>(count) * sizeof(NodeContact));
-        const Retained nothing;
-        for (int j = 0, q = 0; j < count; ++j) {
-            const bool answered = q < questions && place[q] == j;
-            const Retained& retained = answered ? found[q++].retained : nothing;
+        laws.search->find(batch, laws.rules);
+        work.tally.add(batch.tally);
+        // All that a blank NodeContact holds is zero but for its Decision; one call for many is cheaper than many.
+        std::memset(static_cast<void*>(out + (start - first)), 0,
+                    static_cast<size_t>(batch.count) * sizeof(NodeContact));
+        for (int j = 0; j < batch.count; ++j) {
+            const V3 y{batch.y[0][j], batch.y[1][j], batch.y[2][j]};
             NodeContact& node = out[start + j - first];
             node.decision = Decision{};
-            if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y[j], why[j], retained, node,
-                                    lists))
+            if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y, why[j], batch.retained(j),
+                                    node, lists))
                 continue;
             add_terms(node, motion.step, cycle.pose.position, heated, work.terms);
             if (work.terms.size() < TermBlock::room) continue;
@@ -310,6 +303,12 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
     if (work.terms.size() > 0) {
         work.sums.add(work.terms, terms);
         work.terms.clear();
+    }
+    if (output.node == nullptr) {
+        for (int i = first; i < last; ++i) {
+            output.force[i] = out[i - first].force;
+            output.step_stiffness[i] = out[i - first].step_stiffness;
+        }
     }
     for (const ToolHeat& heat : lists.tool_heat)
         work.sums[Term::heat_to_tool].add(heat.heat);

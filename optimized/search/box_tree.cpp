@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tbb/parallel_invoke.h>
 
 namespace type21::optimized {
@@ -28,8 +27,12 @@ BoxTree::Side BoxTree::rounded_outward(const Box& box) {
 BoxTree::BoxTree(const std::vector<Box>& boxes) {
     const auto count = static_cast<std::int32_t>(boxes.size());
     if (count == 0) return;
-    std::vector<std::int32_t> order(boxes.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Leaf> order(boxes.size());
+    for (std::int32_t i = 0; i < count; ++i) {
+        const V3 middle = boxes[static_cast<size_t>(i)].middle();
+        order[static_cast<size_t>(i)] = {
+            {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)}, i};
+    }
     branch_.resize(static_cast<size_t>(std::max(1, count - 1)));
     if (count == 1) {
         branch_[0].side[0] = branch_[0].side[1] = rounded_outward(boxes[0]);
@@ -41,24 +44,26 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 }
 
 /// The subtree of n boxes has n - 1 branches: where each lies is known before it is built, whoever builds it.
-Box BoxTree::build(const std::vector<Box>& boxes, std::int32_t* first, std::int32_t count, std::int32_t at) {
-    if (count == 1) return boxes[static_cast<size_t>(*first)];
-    Box middles;
-    for (std::int32_t i = 0; i < count; ++i)
-        middles.extend(boxes[static_cast<size_t>(first[i])].middle());
-    const V3 spread = middles.high - middles.low;
-    const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : (spread.y >= spread.z ? 1 : 2);
+Box BoxTree::build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at) {
+    if (count == 1) return boxes[static_cast<size_t>(first->rank)];
+    float low[3], high[3];
+    for (int a = 0; a < 3; ++a)
+        low[a] = high[a] = first->middle[a];
+    for (std::int32_t i = 1; i < count; ++i) {
+        for (int a = 0; a < 3; ++a) {
+            low[a] = std::min(low[a], first[i].middle[a]);
+            high[a] = std::max(high[a], first[i].middle[a]);
+        }
+    }
+    const float spread[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : (spread[1] >= spread[2] ? 1 : 2);
     const std::int32_t half = count / 2;
-    const auto key = [&](std::int32_t rank) {
-        const Box& box = boxes[static_cast<size_t>(rank)];
-        return box.low[axis] + box.high[axis];
-    };
-    std::nth_element(first, first + half, first + count, [&](std::int32_t one, std::int32_t other) {
-        const double a = key(one), b = key(other);
-        return a < b || (a == b && one < other);
+    std::nth_element(first, first + half, first + count, [axis](const Leaf& one, const Leaf& other) {
+        const float a = one.middle[axis], b = other.middle[axis];
+        return a < b || (a == b && one.rank < other.rank);
     });
     const std::int32_t counts[2] = {half, count - half};
-    std::int32_t* const firsts[2] = {first, first + half};
+    Leaf* const firsts[2] = {first, first + half};
     const std::int32_t places[2] = {at + 1, at + half};  // the first subtree has half - 1 branches
     Box below[2];
     const auto side = [&](int i) { below[i] = build(boxes, firsts[i], counts[i], places[i]); };
@@ -71,7 +76,7 @@ Box BoxTree::build(const std::vector<Box>& boxes, std::int32_t* first, std::int3
     Branch& branch = branch_[static_cast<size_t>(at)];
     for (int i = 0; i < 2; ++i) {
         branch.side[i] = rounded_outward(below[i]);
-        branch.below[i] = counts[i] == 1 ? ~*firsts[i] : places[i];
+        branch.below[i] = counts[i] == 1 ? ~firsts[i]->rank : places[i];
     }
     below[0].extend(below[1]);
     return below[0];

@@ -53,7 +53,12 @@ class BoxTree {
     static constexpr int deepest = 64;  ///< halves: 2^31 boxes need 31
 
     static Side rounded_outward(const Box& box);
-    Box build(const std::vector<Box>& boxes, std::int32_t* first, std::int32_t count, std::int32_t at);
+    /// Where a box is, roughly: only the shape of the tree depends on it.
+    struct Leaf {
+        float middle[3];
+        std::int32_t rank;
+    };
+    Box build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at);
 
     template <class Holds, class Found>
     void visit(const Holds& holds, const Found& found) const {

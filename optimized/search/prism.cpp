@@ -15,25 +15,6 @@ std::array<V3, 3> drawn_out(const std::array<V3, 3>& v, double share) {
     return out;
 }
 
-/// The smallest m such that <line, x> > bound for every point x of `core` with weights >= m, or 1. Those points lie in
-/// the hull of the corners drawn in to weights m, at the lowest and at the greatest height: a linear function is least
-/// at one of these six.
-double margin_beyond(const Prism& core, const V3& line, double bound) {
-    double margin = 0;
-    for (const double h : {core.low, core.high}) {
-        std::array<double, 3> at;
-        for (size_t i = 0; i < 3; ++i)
-            at[i] = dot(line, core.corner[i]) + h * dot(line, core.rise[i]);
-        const double middle = (at[0] + at[1] + at[2]) / 3;
-        if (!(middle > bound)) return 1;
-        for (const double value : at) {
-            // Drawn in to m, the corner has value + 3 m (middle - value).
-            if (value <= bound) margin = std::max(margin, (bound - value) / (3 * (middle - value)));
-        }
-    }
-    return margin;
-}
-
 }  // namespace
 
 Prism prism(const SegmentData& s, int k, const Limits& limits) {
@@ -137,37 +118,6 @@ Box Prism::box() const {
     }
     box.grow(slack);
     return box;
-}
-
-double margin_apart(const Prism& core, const Prism& other) {
-    if (core.grown) return 1;
-    const double slack = core.slack + other.slack;
-    if (other.grown) {
-        // Apart where a side of the grown box is.
-        Box box = other.box();
-        const std::array<V3, 3> unit{V3{1, 0, 0}, V3{0, 1, 0}, V3{0, 0, 1}};
-        double margin = 1;
-        for (int i = 0; i < 3; ++i) {
-            margin = std::min(margin, margin_beyond(core, unit[static_cast<size_t>(i)], box.high[i] + slack));
-            margin = std::min(margin, margin_beyond(core, unit[static_cast<size_t>(i)] * -1, slack - box.low[i]));
-        }
-        return margin;
-    }
-    double margin = 1;
-    const V3& a = other.corner[0];
-    margin = std::min(margin, margin_beyond(core, other.axis, dot(other.axis, a) + other.high + slack));
-    margin = std::min(margin, margin_beyond(core, other.axis * -1, -dot(other.axis, a) - other.low + slack));
-    for (size_t i = 0; i < 3; ++i) {
-        // Beyond side i are the points that are beyond all three of its linear bounds.
-        double beyond_all = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            const V3 line = other.outward[i] - other.axis * other.lean[i][c];
-            const double bound = dot(line, a) + other.rim[i][c] + slack * (1 + std::abs(other.lean[i][c]));
-            beyond_all = std::max(beyond_all, margin_beyond(core, line, bound));
-        }
-        margin = std::min(margin, beyond_all);
-    }
-    return margin;
 }
 
 }  // namespace type21::optimized

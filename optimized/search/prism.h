@@ -44,8 +44,4 @@ struct Prism {
 
 Prism prism(const SegmentData& segment, int k, const Limits& limits);
 
-/// The smallest m such that no point that `core` takes with all weights of step 2 >= m is taken by `other`; 1 where
-/// there is none. @see Search
-double margin_apart(const Prism& core, const Prism& other);
-
 }  // namespace type21::optimized

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optimized/decide/decide.h"
-#include "optimized/decide/plain_landing.h"
+#include "optimized/decide/fine_landing.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/prism.h"
 #include "optimized/search/tool.h"
@@ -16,17 +16,34 @@ namespace type21::optimized {
 /// What a node remembers to be quick. It never changes an answer: it only says where to look first, and everything that
 /// is concluded from it is proven for the place where the node is now.
 struct Memory {
-    int segment = -1;  ///< retained last
-    int piece = 0;
+    int place = -1;   ///< sub-triangle retained last, as place_of gives it
     float quiet = 0;  ///< no sub-triangle takes the node within this of `from` [length]; 0: not known
     V3 from;          ///< [length]
 };
 
+/// Sub-triangle k of a segment as one number, and back.
+inline int place_of(int segment, int piece) {
+    return 4 * segment + piece - 1;
+}
+inline int segment_of(int place) {
+    return place >> 2;
+}
+inline int piece_of(int place) {
+    return (place & 3) + 1;
+}
+
 /// How a node's decision came about.
 enum class Path {
     certified,  ///< the sub-triangle of the last cycle, and no other can take the node there
+    paired,     ///< that sub-triangle or its neighbour over one side, and no other can take the node there
     quiet,      ///< nothing takes it: it has moved less than its clearance
     searched    ///< all that may take it were asked
+};
+
+/// How many decisions came about how.
+struct PathTally {
+    long certified = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
+    void add(const PathTally& other);
 };
 
 /// D34: the box in which a node must lie before a segment competes at all.
@@ -45,6 +62,10 @@ struct ReachBoxRule {
 /// by T or by nothing: its projection on T alone decides. m depends on the tool and its limits only; it is found when
 /// first needed, and is the same number whoever finds it.
 ///
+/// Pairs. Let E be the sub-triangle over one side of T, and m2(T) such that no point that T takes with both weights of
+/// that side >= m2(T) is taken by any sub-triangle but T and E. There the two decide between them: near a side, where
+/// the 1 % by which sub-triangles overlap keeps nodes out of every core.
+///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
 class Search {
@@ -55,9 +76,41 @@ class Search {
         Retained retained;
         Path path = Path::searched;
     };
+    /// Nodes and what is found of them, a row a number.
+    struct Batch {
+        static constexpr int room = 256;
+        using Row = double[room];
+
+        int count = 0;
+        double depth = 0, proximity = 0;  ///< of all [length]
+        Memory* memory[room];             ///< nullptr: not asked
+        alignas(64) Row y[3];             ///< in the tool frame [length]
+        alignas(64) Row gap;              ///< that decides contact [length]
+
+        int place[room];                         ///< retained, -1: none; then the rest is not filled
+        alignas(64) Row b, c, lift, n[3], x[3];  ///< as in LandingRows
+        Kind kind[room];
+        signed char side[room];
+        Settled settled[room];
+        Path path[room];
+        PathTally tally;  ///< of this batch
+
+        Retained retained(int i) const;
+
+        // Where it works: a part of the nodes, and pairs of all of them.
+        struct Pair {
+            int column, own, other;  ///< node, and places
+            double kappa;            ///< of own
+        };
+        LandingRows rows, partners;
+        FineKappaRows fine;
+        Pair pairs[LandingRows::room], close[room];
+        int pair_count = 0, close_count = 0;
+    };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
-    /// Asks for up to `lanes` nodes at once; the answers are those of find.
+    /// Asks for up to Batch::room nodes at once; the answers are those of find.
+    void find(Batch& batch, const Rules& rules) const;
     struct Asked {
         V3 y;
         Window window;
@@ -71,24 +124,50 @@ class Search {
     size_t bytes() const;
 
   private:
+    /// What is known of one sub-triangle.
+    struct Margins {
+        std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
+        std::atomic<float> pair;   ///< m2(T)
+    };
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
-    /// The answer for a node in the core of the sub-triangle of its memory, where the bounds of a plain projection are
-    /// foreseen. @param lane  of rows.out
-    bool certified_plainly(const Asked& asked, const PlainRows& rows, int lane, float core, Found& found) const;
-    /// m(T), and beyond_foreseen more where a plain projection has to be filtered.
-    float core(int segment, int piece) const;
+    float core(int place) const {
+        const float margin = margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
+        return margin >= 0 ? margin : new_core(place);
+    }
+    float new_core(int place) const;
     void find_cores(int segment) const;
+    /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
+    int partner(int place, int side) const;
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
-    void fill_lane(const Asked& asked, int lane, PlainRows& rows) const;
+    LandingLimits landing_limits(double depth, double proximity) const;
+    void fill(LandingRows& rows, int column, int place) const;
+    void fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
+    /// Nodes first to first + count of the batch. @param open  filled with those that are left
+    /// @return how many are left
+    int find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const;
+    /// Is the node in column i of the rows one of a pair? Then it is put among them.
+    bool pair_up(Batch& batch, int first, int i) const;
+    /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
+    void decide_pairs(Batch& batch, const Rules& rules) const;
+    /// 100 bits for them.
+    void decide_close(Batch& batch, const Rules& rules) const;
+    enum class Standing { unknown, taken, rejected };
+    Standing standing(const LandingRows& rows, int column, double depth, int place) const;
+    Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
+    void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
+    void put(Batch& batch, int i, const Found& found) const;
     double clearance(const V3& y) const;
 
     const Tool& tool_;
     Limits limits_;
     ReachBoxRule reach_box_;
     BoxTree tree_;
-    double usual_clearance_;                        ///< clearances are not looked for beyond it [length]
-    mutable std::vector<std::atomic<float>> core_;  ///< four for a segment; negative: not known yet
+    double usual_clearance_;                ///< clearances are not looked for beyond it [length]
+    mutable std::vector<Margins> margins_;  ///< four for a segment; alone < 0: not known yet
+    /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
+    /// side of the segment; triangle: over the sides opposite to A, B, C.
+    mutable std::vector<std::atomic<int>> over_;
 };
 
 }  // namespace type21::optimized

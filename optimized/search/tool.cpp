@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "optimized/decide/local_segment.h"
 
@@ -45,9 +47,12 @@ std::vector<V3> nodal_normals(const std::vector<V3>& position, const std::vector
 }
 
 void Tool::find_extents() {
-    extent_.reserve(corner_.size());
-    for (int s = 0; s < size(); ++s)
-        extent_.push_back(std::nextafter(static_cast<float>(local_segment(segment(s)).extent), HUGE_VALF));
+    extent_.resize(corner_.size());
+    tbb::parallel_for(tbb::blocked_range<int>(0, size(), 4096), [&](const tbb::blocked_range<int>& range) {
+        for (int s = range.begin(); s < range.end(); ++s)
+            extent_[static_cast<size_t>(s)] =
+                std::nextafter(static_cast<float>(local_segment(segment(s)).extent), HUGE_VALF);
+    });
 }
 
 Tool::Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::array<int, 4>> corner)
@@ -65,12 +70,15 @@ Tool::Tool(const Model& model, const Interface& interface) {
     position.reserve(main.size());
     for (const int node : main)
         position.push_back(from(model.nodes.position[static_cast<size_t>(node)] - center));
+    std::vector<int> rank(static_cast<size_t>(model.nodes.size()), -1);
+    for (size_t i = 0; i < main.size(); ++i)
+        rank[static_cast<size_t>(main[i])] = static_cast<int>(i);
     const auto& segments = model.surfaces[static_cast<size_t>(interface.main_surface)].segments;
     corner_.reserve(segments.size());
     for (const Segment& segment : segments) {
         std::array<int, 4> corner{};
         for (size_t j = 0; j < 4; ++j)
-            corner[j] = static_cast<int>(std::lower_bound(main.begin(), main.end(), segment.node[j]) - main.begin());
+            corner[j] = rank[static_cast<size_t>(segment.node[j])];
         corner_.push_back(corner);
     }
     const std::vector<V3> normal = nodal_normals(position, corner_);

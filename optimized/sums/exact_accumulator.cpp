@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "optimized/machine.h"
+#include "optimized/lanes.h"
 
 namespace type21::optimized {
 
@@ -12,62 +12,92 @@ namespace {
 
 constexpr std::int64_t base = std::int64_t{1} << 32;
 
-constexpr int lanes = 8;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
-
-TYPE21_INLINE void load(const double* from, Lanes& to) {
-    __builtin_memcpy(&to, from, sizeof(to));
-}
-TYPE21_INLINE void magnitude_of(Lanes& v) {
-    v = v < 0 ? -v : v;
-}
-
-/// Largest magnitude of whole groups of lanes.
-TYPE21_FOR_EACH_MACHINE
-double largest_magnitude(const double* value, int groups) {
-    Lanes most = {};
-    for (int g = 0; g < groups; ++g) {
-        Lanes v;
-        load(value + g * lanes, v);
-        magnitude_of(v);
-        most = v > most ? v : most;
+/// Largest magnitude of whole groups of eight; NaN where one of them is no number or infinite.
+template <int W>
+TYPE21_INLINE double largest_in(const double* value, int count) {
+    Lanes<W> most{}, spoilt{};
+    for (int at = 0; at < count; at += W) {
+        Lanes<W> v, size;
+        load(value + at, v);
+        spoilt += v - v;
+        magnitude_of(v, size);
+        most_of(size, most);
     }
-    double largest = 0;
-    for (int j = 0; j < lanes; ++j)
+    double largest = 0, bad = 0;
+    for (int j = 0; j < W; ++j) {
         largest = most[j] > largest ? most[j] : largest;
-    return largest;
+        bad += spoilt[j];
+    }
+    return largest + bad;
 }
 
 /// Cuts by adding and subtracting 1.5 * 2^(m + 52 - bits): what is left is the number rounded to a multiple of
-/// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers every sum below is a whole multiple of
-/// its unit with at most 41 + 11 bits: exact.
+/// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers a lane every sum is a whole multiple
+/// of its unit with at most 41 + 11 bits: exact.
+/// @param sum  eight lanes of each slice
 /// @return 0 when nothing is left below the slices
-TYPE21_FOR_EACH_MACHINE
-double slice(const double* value, int groups, const double* cut, double* sum) {
-    Lanes first = {}, second = {}, third = {}, rest = {};
-    for (int g = 0; g < groups; ++g) {
-        Lanes left, high;
-        load(value + g * lanes, left);
-        high = (left + cut[0]) - cut[0];
-        first += high;
-        left -= high;
-        high = (left + cut[1]) - cut[1];
-        second += high;
-        left -= high;
-        high = (left + cut[2]) - cut[2];
-        third += high;
-        left -= high;
-        magnitude_of(left);
-        rest += left;
+template <int W>
+TYPE21_INLINE double slice_in(const double* value, int count, const double* cut, double* sum) {
+    constexpr int parts = 8 / W;
+    Lanes<W> total[3][parts], rest{};
+    for (int s = 0; s < 3; ++s)
+        for (int p = 0; p < parts; ++p)
+            load(sum + 8 * s + W * p, total[s][p]);
+    for (int at = 0; at < count; at += 8) {
+        for (int p = 0; p < parts; ++p) {
+            Lanes<W> left, size;
+            load(value + at + W * p, left);
+            for (int s = 0; s < 3; ++s) {
+                const Lanes<W> high = (left + cut[s]) - cut[s];
+                total[s][p] += high;
+                left -= high;
+            }
+            magnitude_of(left, size);
+            rest += size;
+        }
     }
+    for (int s = 0; s < 3; ++s)
+        for (int p = 0; p < parts; ++p)
+            store(total[s][p], sum + 8 * s + W * p);
     double remaining = 0;
-    for (int j = 0; j < lanes; ++j) {
-        sum[0] += first[j];
-        sum[1] += second[j];
-        sum[2] += third[j];
+    for (int j = 0; j < W; ++j)
         remaining += rest[j];
-    }
     return remaining;
+}
+
+TYPE21_AVX512 double largest_eight(const double* value, int count) {
+    return largest_in<8>(value, count);
+}
+TYPE21_AVX2 double largest_four(const double* value, int count) {
+    return largest_in<4>(value, count);
+}
+TYPE21_AVX512 double slice_eight(const double* value, int count, const double* cut, double* sum) {
+    return slice_in<8>(value, count, cut, sum);
+}
+TYPE21_AVX2 double slice_four(const double* value, int count, const double* cut, double* sum) {
+    return slice_in<4>(value, count, cut, sum);
+}
+
+double largest_magnitude(const double* value, int count) {
+    switch (this_machine()) {
+        case Machine::eight:
+            return largest_eight(value, count);
+        case Machine::four:
+            return largest_four(value, count);
+        default:
+            return largest_in<2>(value, count);
+    }
+}
+
+double slice(const double* value, int count, const double* cut, double* sum) {
+    switch (this_machine()) {
+        case Machine::eight:
+            return slice_eight(value, count, cut, sum);
+        case Machine::four:
+            return slice_four(value, count, cut, sum);
+        default:
+            return slice_in<2>(value, count, cut, sum);
+    }
 }
 
 }  // namespace
@@ -101,23 +131,46 @@ void ExactAccumulator::add(double value) {
 }
 
 void ExactAccumulator::add_block(const double* value, int n) {
-    const int groups = n / lanes, whole = groups * lanes;
-    const double most = largest_magnitude(value, groups);
-    double rest = 1;
-    double sum[3] = {0, 0, 0};
-    // NaN compares false everywhere: the rest tells.
-    if ((most == 0 || (most > 0x1p-800 && most < 0x1p900)) && n <= 2048) {
-        const int m = most == 0 ? 0 : std::ilogb(most) + 1;
-        const double cut[3] = {std::ldexp(1.5, m + 12), std::ldexp(1.5, m - 28), std::ldexp(1.5, m - 68)};
-        rest = slice(value, groups, cut, sum);
+    const int whole = n / 8 * 8;
+    const double most = largest_magnitude(value, whole);
+    const bool ordinary = most == 0 || (most > 0x1p-800 && most < 0x1p900);
+    if (ordinary && most > 0) {
+        if (!(most < ceiling_)) {
+            flush();
+            // A little room, so that numbers that grow slowly do not flush again and again.
+            const int m = std::ilogb(most) + 4;
+            ceiling_ = std::ldexp(1.0, m);
+            for (int s = 0; s < 3; ++s)
+                cut_[static_cast<size_t>(s)] = std::ldexp(1.5, m + 12 - 40 * s);
+        }
+        for (int first = 0; first < whole; first += 8 * most_groups) {
+            const int count = std::min(whole - first, 8 * most_groups);
+            if (groups_ + count / 8 > most_groups) flush_lanes();
+            groups_ += count / 8;
+            if (slice(value + first, count, cut_.data(), lane_.data()) == 0) continue;
+            for (int j = first; j < first + count; ++j) {
+                double left = value[j];
+                for (const double cut : cut_)
+                    left -= (left + cut) - cut;
+                if (left != 0) add(left);
+            }
+        }
     }
-    const bool sliced = rest == 0;
-    if (sliced) {
-        for (const double s : sum)
-            add(s);
-    }
-    for (int j = sliced ? whole : 0; j < n; ++j)
+    for (int j = ordinary ? whole : 0; j < n; ++j)
         add(value[j]);
+}
+
+void ExactAccumulator::flush_lanes() {
+    for (double& sum : lane_) {
+        if (sum != 0) add(sum);
+        sum = 0;
+    }
+    groups_ = 0;
+}
+
+void ExactAccumulator::flush() {
+    flush_lanes();
+    ceiling_ = 0;
 }
 
 void ExactAccumulator::carry() {
@@ -132,6 +185,7 @@ void ExactAccumulator::carry() {
 
 void ExactAccumulator::add(const ExactAccumulator& other) {
     ExactAccumulator carried = other;
+    carried.flush();
     carried.carry();
     carry();
     for (size_t i = 0; i < digit_.size(); ++i)
@@ -143,6 +197,7 @@ void ExactAccumulator::add(const ExactAccumulator& other) {
 double ExactAccumulator::value() const {
     if (not_finite_ != 0) return not_finite_;
     ExactAccumulator sum = *this;
+    sum.flush();
     sum.carry();
     const bool negative = sum.digit_.back() < 0;
     if (negative) {

@@ -12,8 +12,8 @@ namespace type21::optimized {
 class ExactAccumulator {
   public:
     void add(double value);
-    /// Adds n <= 2048 numbers, and is quicker than one after the other: each is cut, exactly, into slices of 40 bits
-    /// below the largest of the block; the slices of the block sum without rounding in a double.
+    /// Adds n numbers, and is quicker than one after the other: each is cut, exactly, into slices of 40 bits below a
+    /// power of two that none exceeds; up to 2048 slices sum without rounding in a double.
     void add_block(const double* value, int n);
     void add(const ExactAccumulator& other);
     /// The sum, rounded once to nearest even.
@@ -24,11 +24,20 @@ class ExactAccumulator {
     static constexpr int digits = 68;  // (2046 + 53) / 32 + 2, and one for carries
     static constexpr std::int32_t most_additions = 1 << 29;
 
+    static constexpr int most_groups = 2048;
+
     void carry();
+    /// The slices go to the digits. flush: the next block chooses its own power of two.
+    void flush_lanes();
+    void flush();
 
     std::array<std::int64_t, digits> digit_{};
     std::int32_t additions_ = 0;
     double not_finite_ = 0;  ///< sum of the infinities and NaNs met
+    std::array<double, 3> cut_{};
+    std::array<double, 24> lane_{};  ///< eight of each slice
+    double ceiling_ = 0;             ///< 2^m
+    int groups_ = 0;                 ///< numbers in each lane
 };
 
 }  // namespace type21::optimized

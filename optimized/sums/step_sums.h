@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "optimized/sums/exact_accumulator.h"
@@ -55,6 +56,8 @@ class TermBlock {
     int size() const { return size_; }
     void clear() { size_ = 0; }
     const double* row(int term) const { return value_.data() + term * room; }
+    double* row(Term term) { return value_.data() + static_cast<int>(term) * room; }
+    void resize(int columns) { size_ = columns; }
 
   private:
     alignas(64) std::array<double, static_cast<size_t>(Term::count) * room> value_;
@@ -68,14 +71,26 @@ struct StepSums {
         for (int t = 0; t < terms; ++t)
             sum[static_cast<size_t>(t)].add_block(block.row(t), block.size());
     }
+    void add(const TermBlock& block, std::span<const Term> terms) {
+        for (const Term t : terms)
+            sum[static_cast<size_t>(t)].add_block(block.row(static_cast<int>(t)), block.size());
+    }
     void add(const StepSums& other) {
         for (size_t t = 0; t < sum.size(); ++t)
             sum[t].add(other.sum[t]);
+    }
+    /// Without friction the whole force is the normal force.
+    void without_friction() {
+        for (int i = 0; i < 3; ++i) {
+            at(Term::force_x, i) = at(Term::normal_x, i);
+            at(Term::abs_total_x, i) = at(Term::abs_normal_x, i);
+        }
     }
     void clear() {
         for (ExactAccumulator& s : sum)
             s.clear();
     }
+    ExactAccumulator& at(Term first, int i) { return sum[static_cast<size_t>(first) + static_cast<size_t>(i)]; }
     ExactAccumulator& operator[](Term term) { return sum[static_cast<size_t>(term)]; }
     double value(Term term) const { return sum[static_cast<size_t>(term)].value(); }
     Vec3 vector(Term first) const {

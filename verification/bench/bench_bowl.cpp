@@ -52,30 +52,39 @@ int main(int count, char** argument) {
         const double build = start.nanoseconds() * 1e-9;
         const double nodes = static_cast<double>(bowl.scene.model->interfaces[0].secondary.node.size());
         std::vector<double> lean, whole;
-        double first = 0;
+        double first = 0, second = 0;
+        ContactStep step;
         for (int c = 0; c < cycles; ++c) {
             const Motion motion = bowl.motion(c);
             const Watch from(threads == 1);
             if (c % 10 == 9) {
-                const ContactStep step = contact.step(motion);
+                contact.step(motion, step);
                 whole.push_back(from.nanoseconds() / nodes);
             } else {
                 contact.step_lean(motion);
-                (c == 0 ? first = from.nanoseconds() / nodes : (lean.push_back(from.nanoseconds() / nodes), 0.0));
+                lean.push_back(from.nanoseconds() / nodes);
+                if (c == 0) first = lean.back();
+                if (c == 1) second = lean.back();
             }
+        }
+        if (whole.empty()) {
+            fmt::print(stderr, "bench_bowl: {} cycles are too few: every tenth is a whole step; give 10 or more\n",
+                       cycles);
+            return 2;
         }
         const Spread l = spread(lean), w = spread(whole);
         const optimized::PathCounts p = contact.paths();
         const double all = static_cast<double>(p.nodes);
         fmt::print(
             "{} nodes on {} quads, friction {}, {} threads: build {:.3f} s, {} B per quad, {} B per node\n"
-            "  lean step  least {:.1f} median {:.1f} ns per node and cycle (first {:.0f})\n"
+            "  lean step  least {:.1f} median {:.1f} ns per node and cycle (first {:.0f}, second {:.0f})\n"
             "  whole step least {:.1f} median {:.1f}\n"
-            "  certified {:.2f} %, quiet {:.2f} %, searched {:.2f} %, whole numbers {:.4f} %\n",
+            "  certified {:.2f} %, paired {:.2f} %, quiet {:.2f} %, searched {:.2f} %, whole numbers {:.4f} %\n",
             nodes, tool * tool, friction, threads, build, contact.tool_bytes() / static_cast<size_t>(tool * tool),
-            contact.bytes_per_node(), l.least, l.median, first, w.least, w.median,
-            100 * static_cast<double>(p.certified) / all, 100 * static_cast<double>(p.quiet) / all,
-            100 * static_cast<double>(p.searched) / all, 100 * static_cast<double>(p.whole) / all);
+            contact.bytes_per_node(), l.least, l.median, first, second, w.least, w.median,
+            100 * static_cast<double>(p.certified) / all, 100 * static_cast<double>(p.paired) / all,
+            100 * static_cast<double>(p.quiet) / all, 100 * static_cast<double>(p.searched) / all,
+            100 * static_cast<double>(p.whole) / all);
     }
     return 0;
 }

@@ -1,0 +1,342 @@
+#include "optimized/kernel/force_rows.h"
+
+#include <cmath>
+
+namespace type21::optimized {
+
+namespace {
+
+constexpr bool has(unsigned effects, unsigned one) {
+    return (effects & one) != 0;
+}
+
+/// M v; with `transposed` the other way round.
+template <bool transposed, class L>
+TYPE21_INLINE void turn(const double (&m)[3][3], const VectorLanes<L>& v, VectorLanes<L>& r) {
+    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+        return transposed ? m[j][i] : m[i][j];
+    };
+    r.x = (entry(0, 0) * v.x + entry(0, 1) * v.y) + entry(0, 2) * v.z;
+    r.y = (entry(1, 0) * v.x + entry(1, 1) * v.y) + entry(1, 2) * v.z;
+    r.z = (entry(2, 0) * v.x + entry(2, 1) * v.y) + entry(2, 2) * v.z;
+}
+
+template <class L>
+TYPE21_INLINE void only(const WholeLanes<L>& mask, L& v) {
+    v = (L)((WholeLanes<L>)v & mask);
+}
+
+/// All ones where v < 0.
+template <class L>
+TYPE21_INLINE void negative(const L& v, WholeLanes<L>& mask) {
+    mask = (WholeLanes<L>)v >> 63;
+}
+
+template <unsigned Effects, int W>
+TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int j,
+                       TermBlock& block, int column) {
+    using L = Lanes<W>;
+    using I = WholeLanes<L>;
+    using V = VectorLanes<L>;
+    L gap, k, offset, lift;
+    I contact, first;
+    load(f.contact + j, contact);
+    load(f.first + j, first);
+    load(f.gap + j, gap);
+    load(f.stiffness + j, k);
+    load(f.offset + j, offset);
+    const int i = first_node + j;
+    load(at.lift + i, lift);
+    const L zero = (L)(contact ^ contact);
+
+    // Section 5.
+    V n, x, nu, arm, point, y;
+    load(at.n[0] + i, at.n[1] + i, at.n[2] + i, n);
+    load(at.x[0] + i, at.x[1] + i, at.x[2] + i, x);
+    load(at.y[0] + i, at.y[1] + i, at.y[2] + i, y);
+    L square, length, largest, other;
+    dot_of(n, n, square);
+    root_of(square, length);
+    scale(n, 1.0 / length);
+    turn<false>(c.rotation, n, nu);
+    turn<false>(c.rotation, x, arm);
+    point.x = c.center[0] + arm.x;
+    point.y = c.center[1] + arm.y;
+    point.z = c.center[2] + arm.z;
+    const L distance = lift * length;
+    magnitude_of(y.x, largest);
+    magnitude_of(y.y, other);
+    most_of(other, largest);
+    magnitude_of(y.z, other);
+    most_of(other, largest);
+    // The distance to the next double above: the next pattern of bits.
+    const L ulp = (L)((I)largest + 1) - largest;
+    const L depth = gap - distance;
+    L deep = depth > 16.0 * ulp ? depth : zero;
+    only(contact, deep);
+    I closed;
+    negative(zero - deep, closed);
+
+    // Section 6.
+    choose(first, deep, offset);
+    L toward = deep;
+    if (c.inacti6) {
+        magnitude_of(gap - deep, other);
+        toward = deep + 0.05 * other;
+    }
+    L moved = 0.95 * offset + 0.05 * toward;
+    least_of(offset, moved);
+    offset = moved;
+    only(closed, offset);
+    L p = deep - offset;
+    most_of(zero, p);
+    I deeper;
+    negative(zero - p, deeper);
+    L acting = k;
+    only(deeper | first, acting);
+
+    // Section 7.
+    V v;
+    load(f.velocity[0] + j, f.velocity[1] + j, f.velocity[2] + j, v);
+    v.x -= c.speed[0] + (c.turning[1] * arm.z - c.turning[2] * arm.y);
+    v.y -= c.speed[1] + (c.turning[2] * arm.x - c.turning[0] * arm.z);
+    v.z -= c.speed[2] + (c.turning[0] * arm.y - c.turning[1] * arm.x);
+    L elastic = acting * p, energy = 0.5 * acting * p * p, most;
+    if constexpr (has(Effects, effect::pmax)) {
+        L growth;
+        load(f.growth + j, growth);
+        load(f.most + j, most);
+        I yields;
+        negative(most - acting * growth, yields);
+        L beyond = p - growth, held = acting * p;
+        most_of(zero, beyond);
+        least_of(most, held);
+        const L force = acting * beyond + held;
+        const L straight = force / acting;
+        L plateau = p - straight;
+        most_of(zero, plateau);
+        choose(yields, plateau * most + 0.5 * straight * force, energy);
+        choose(yields, force, elastic);
+    }
+    L vn, damping = zero;
+    dot_of(v, nu, vn);
+    if constexpr (has(Effects, effect::damping)) {
+        L mass, root;
+        load(f.mass + j, mass);
+        root_of(2.0 * acting * mass, root);
+        damping = c.viss * root;
+    }
+    const L normal_force = elastic - damping * vn;
+    L step_stiffness = acting + damping * c.per_step;
+    only(closed, step_stiffness);
+
+    // Section 8.
+    V rub{zero, zero, zero};
+    if constexpr (has(Effects, effect::friction)) {
+        V old;
+        L increment, along, size, limit;
+        load(f.friction[0] + j, f.friction[1] + j, f.friction[2] + j, old);
+        load(f.increment + j, increment);
+        only(deeper | first, increment);
+        increment *= c.rubbing;
+        V trial;
+        trial.x = old.x + v.x * increment;
+        trial.y = old.y + v.y * increment;
+        trial.z = old.z + v.z * increment;
+        dot_of(trial, nu, along);
+        trial.x -= nu.x * along;
+        trial.y -= nu.y * along;
+        trial.z -= nu.z * along;
+        dot_of(trial, trial, square);
+        root_of(square, size);
+        magnitude_of(normal_force, limit);
+        limit *= c.mu;
+        if constexpr (has(Effects, effect::pmax)) {
+            if (c.limited) least_of(most / std::sqrt(3.0), limit);
+        }
+        I slides;
+        negative(limit - size, slides);
+        L share = zero + 1.0;
+        choose(slides, limit / size, share);
+        rub.x = trial.x * share;
+        rub.y = trial.y * share;
+        rub.z = trial.z * share;
+        only(closed, rub.x);
+        only(closed, rub.y);
+        only(closed, rub.z);
+        store(rub, f.friction[0] + j, f.friction[1] + j, f.friction[2] + j);
+        store(slides, f.slides + j);
+    }
+    V normal, force;
+    normal.x = nu.x * -normal_force;
+    normal.y = nu.y * -normal_force;
+    normal.z = nu.z * -normal_force;
+    only(closed, normal.x);
+    only(closed, normal.y);
+    only(closed, normal.z);
+    // On the node F_n nu - F_t; the sums are of forces on the tool.
+    const V total{normal.x + rub.x, normal.y + rub.y, normal.z + rub.z};
+    force.x = zero - total.x;
+    force.y = zero - total.y;
+    force.z = zero - total.z;
+
+    store(closed, f.closed + j);
+    store(distance, f.distance + j);
+    store(nu, f.normal[0] + j, f.normal[1] + j, f.normal[2] + j);
+    store(point, f.point[0] + j, f.point[1] + j, f.point[2] + j);
+    store(deep, f.deep + j);
+    store(offset, f.offset + j);
+    store(p, f.penetration + j);
+    store(acting, f.acting + j);
+    store(damping, f.damping + j);
+    store(elastic, f.elastic + j);
+    store(energy, f.energy + j);
+    store(normal_force, f.normal_force + j);
+    store(v, f.velocity[0] + j, f.velocity[1] + j, f.velocity[2] + j);
+    store(force, f.force[0] + j, f.force[1] + j, f.force[2] + j);
+    store(step_stiffness, f.step_stiffness + j);
+
+    // The terms of the sums.
+    column += j;
+    const auto put = [&](Term term, const L& value) __attribute__((always_inline)) {
+        store((L)((I)value & closed), block.row(term) + column);
+    };
+    const auto put_vector = [&](Term term, const V& value) __attribute__((always_inline)) {
+        const int t = static_cast<int>(term);
+        put(term, value.x);
+        put(static_cast<Term>(t + 1), value.y);
+        put(static_cast<Term>(t + 2), value.z);
+    };
+    V moment, sizes;
+    cross_of(arm, total, moment);
+    magnitude_of(normal.x, sizes.x);
+    magnitude_of(normal.y, sizes.y);
+    magnitude_of(normal.z, sizes.z);
+    dot_of(total, total, square);
+    root_of(square, length);
+    put_vector(Term::normal_x, normal);
+    put_vector(Term::abs_normal_x, sizes);
+    put(Term::signed_normal, -normal_force);
+    put(Term::norm_total, length);
+    put(Term::damping_work, damping * vn * vn * c.step);
+    put(Term::elastic_energy, energy);
+    put_vector(Term::moment_x, moment);
+    put(Term::step_stiffness, step_stiffness);
+    dot_of(arm, arm, square);
+    put(Term::step_rotation, step_stiffness * square);
+    put(Term::stiffness, acting);
+    put(Term::rotation, acting * square);
+    if constexpr (has(Effects, effect::friction)) {
+        magnitude_of(total.x, sizes.x);
+        magnitude_of(total.y, sizes.y);
+        magnitude_of(total.z, sizes.z);
+        put_vector(Term::tangential_x, rub);
+        put_vector(Term::abs_total_x, sizes);
+        put_vector(Term::force_x, total);
+        dot_of(v, rub, square);
+        put(Term::friction_work, square * c.step);
+    }
+}
+
+template <unsigned Effects, int W>
+TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                           TermBlock& block, int column) {
+    for (int j = 0; j < count; j += W)
+        act<Effects, W>(c, at, first_node, f, j, block, column);
+}
+
+template <unsigned Effects>
+TYPE21_AVX512 void act_eight(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                             TermBlock& block, int column) {
+    act_all<Effects, 8>(c, at, first_node, f, count, block, column);
+}
+template <unsigned Effects>
+TYPE21_AVX2 void act_four(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
+                          TermBlock& block, int column) {
+    act_all<Effects, 4>(c, at, first_node, f, count, block, column);
+}
+template <unsigned Effects>
+void act_two(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count, TermBlock& block,
+             int column) {
+    act_all<Effects, 2>(c, at, first_node, f, count, block, column);
+}
+
+template <unsigned Effects>
+Forces forces_on(Machine machine) {
+    if (machine == Machine::eight) return act_eight<Effects>;
+    return machine == Machine::four ? act_four<Effects> : act_two<Effects>;
+}
+
+template <int W>
+TYPE21_INLINE void transform(Search::Batch& rows, int count, const ForceCycle& c) {
+    for (int j = 0; j < count; j += W) {
+        VectorLanes<Lanes<W>> x, y;
+        load(rows.y[0] + j, rows.y[1] + j, rows.y[2] + j, x);
+        x.x -= c.center[0];
+        x.y -= c.center[1];
+        x.z -= c.center[2];
+        turn<true>(c.rotation, x, y);
+        store(y, rows.y[0] + j, rows.y[1] + j, rows.y[2] + j);
+    }
+}
+TYPE21_AVX512 void transform_eight(Search::Batch& rows, int count, const ForceCycle& c) {
+    transform<8>(rows, count, c);
+}
+TYPE21_AVX2 void transform_four(Search::Batch& rows, int count, const ForceCycle& c) {
+    transform<4>(rows, count, c);
+}
+
+}  // namespace
+
+ForceCycle::ForceCycle(const Laws& laws, const Cycle& cycle) {
+    const ToolMotion& pose = cycle.pose;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            rotation[i][j] = pose.rotation(i, j);
+        center[i] = pose.position[i];
+        speed[i] = pose.velocity[i];
+        turning[i] = pose.angular_velocity[i];
+    }
+    const Interface& card = *laws.card;
+    viss = card.viss;
+    step = cycle.motion.step;
+    per_step = step > 0 ? 1 / step : 0.0;
+    rubbing = cycle.filter * cycle.motion.friction_step;
+    mu = card.fric;
+    limited = card.itlim == 0;
+    inacti6 = cycle.inacti == 6;
+}
+
+Forces forces_for(unsigned effects, Machine machine) {
+    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax;
+    switch (effects & (damping | rubbing | pmax)) {
+        case 0:
+            return forces_on<0>(machine);
+        case damping:
+            return forces_on<damping>(machine);
+        case rubbing:
+            return forces_on<rubbing>(machine);
+        case damping | rubbing:
+            return forces_on<damping | rubbing>(machine);
+        case pmax:
+            return forces_on<pmax>(machine);
+        case pmax | damping:
+            return forces_on<pmax | damping>(machine);
+        case pmax | rubbing:
+            return forces_on<pmax | rubbing>(machine);
+        default:
+            return forces_on<damping | rubbing | pmax>(machine);
+    }
+}
+
+void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, Machine machine) {
+    if (machine == Machine::eight) {
+        transform_eight(rows, count, cycle);
+    } else if (machine == Machine::four) {
+        transform_four(rows, count, cycle);
+    } else {
+        transform<2>(rows, count, cycle);
+    }
+}
+
+}  // namespace type21::optimized

@@ -1,0 +1,312 @@
+// Many nodes at once: cores in the lanes of registers, then pairs likewise, then one after the other.
+#include <cmath>
+#include <cstring>
+
+#include "optimized/decide/foreseen_bounds.h"
+#include "optimized/search/margins.h"
+#include "optimized/search/search.h"
+
+namespace type21::optimized {
+
+namespace {
+
+/// What a pair's weights and kappa must be away from what decides: ten times what foreseen() allows them to be off.
+constexpr double pair_share = 1e-5;
+constexpr double nobody = 9;  ///< as a core: no weight is so large
+
+double kappa(double b, double c) {
+    return std::abs(1.0 / 3 - b) + std::abs(1.0 / 3 - c) + std::abs(2.0 / 3 - b - c);
+}
+
+}  // namespace
+
+Retained Search::Batch::retained(int i) const {
+    if (place[i] < 0) return {};
+    Retained r;
+    r.segment = segment_of(place[i]);
+    r.piece = piece_of(place[i]);
+    r.settled = settled[i];
+    r.landing.kind = kind[i];
+    r.landing.side = side[i];
+    r.landing.b = b[i];
+    r.landing.c = c[i];
+    r.landing.lift = lift[i];
+    r.landing.normal = {n[0][i], n[1][i], n[2][i]};
+    return r;
+}
+
+void PathTally::add(const PathTally& other) {
+    certified += other.certified;
+    paired += other.paired;
+    quiet += other.quiet;
+    searched += other.searched;
+    fine += other.fine;
+    whole += other.whole;
+}
+
+void Search::find(Batch& batch, const Rules& rules) const {
+    int open[Batch::room], count = 0;
+    batch.pair_count = batch.close_count = 0;
+    batch.tally = {};
+    std::fill_n(batch.path, batch.count, Path::certified);
+    std::fill_n(batch.settled, batch.count, Settled::filter);
+    std::fill_n(batch.kind, batch.count, Kind::contact);
+    for (int first = 0; first < batch.count; first += LandingRows::room)
+        count += find_part(batch, first, std::min(LandingRows::room, batch.count - first), rules, open + count);
+    // Those that no core holds: near a side they are asked of two, and only then of all.
+    decide_pairs(batch, rules);
+    decide_close(batch, rules);
+    for (int j = 0; j < count; ++j) {
+        const int i = open[j];
+        const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+        put(batch, i, find(y, {batch.gap[i], batch.depth, batch.proximity}, rules, *batch.memory[i]));
+    }
+}
+
+int Search::find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const {
+    LandingRows& rows = batch.rows;
+    bool any = false;
+    for (int i = 0; i < count; ++i) {
+        const Memory* memory = batch.memory[first + i];
+        const bool looks = memory != nullptr && memory->place >= 0 && !(memory->quiet > 0);
+        any |= looks;
+        if (looks) {
+            fill(rows, i, memory->place);
+        } else {
+            rows.core[i] = nobody;
+            rows.certain[i] = 0;
+        }
+    }
+    if (any) {
+        const auto copy = [&](const double* from, double* to) {
+            std::memcpy(to, from, static_cast<size_t>(count) * sizeof(double));
+        };
+        for (int a = 0; a < 3; ++a)
+            copy(batch.y[a] + first, rows.y[a]);
+        copy(batch.gap + first, rows.gap);
+        plain_landing(rows, count, landing_limits(batch.depth, batch.proximity));
+        copy(rows.b, batch.b + first);
+        copy(rows.c, batch.c + first);
+        copy(rows.lift, batch.lift + first);
+        for (int a = 0; a < 3; ++a) {
+            copy(rows.n[a], batch.n[a] + first);
+            copy(rows.x[a], batch.x[a] + first);
+        }
+    }
+    int left = 0;
+    for (int i = 0; i < count; ++i) {
+        const int at = first + i;
+        const double certain = rows.certain[i];
+        batch.side[at] = rows.lift[i] > 0 ? 1 : -1;
+        batch.place[at] = certain > 0 ? batch.memory[at]->place : -1;
+        batch.tally.certified += certain != 0;
+        if (certain != 0 || batch.memory[at] == nullptr) continue;
+        if (!pair_up(batch, first, i)) open[left++] = at;
+        if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
+    }
+    return left;
+}
+
+void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {
+    const auto batch = std::make_unique<Batch>();
+    for (int i = 0; i < count; ++i) {
+        // The depth is one for all nodes of a batch.
+        batch->count = 1;
+        batch->depth = asked[i].window.depth;
+        batch->proximity = asked[i].window.proximity;
+        batch->y[0][0] = asked[i].y.x;
+        batch->y[1][0] = asked[i].y.y;
+        batch->y[2][0] = asked[i].y.z;
+        batch->gap[0] = asked[i].window.gap;
+        batch->memory[0] = asked[i].memory;
+        find(*batch, rules);
+        found[i] = {batch->retained(0), batch->path[0]};
+    }
+}
+
+LandingLimits Search::landing_limits(double depth, double proximity) const {
+    // D34's boxes are asked one node after the other.
+    return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
+}
+
+void Search::fill(LandingRows& rows, int column, int place) const {
+    const int segment = segment_of(place);
+    for (int j = 0; j < 4; ++j) {
+        const V3 &x = tool_.node(segment, j), &n = tool_.normal(segment, j);
+        rows.corner[j][0][column] = x.x;
+        rows.corner[j][1][column] = x.y;
+        rows.corner[j][2][column] = x.z;
+        rows.normal[j][0][column] = n.x;
+        rows.normal[j][1][column] = n.y;
+        rows.normal[j][2][column] = n.z;
+    }
+    rows.code[column] = tool_.is_triangle(segment) ? 4 : (place & 3);
+    rows.core[column] = double(core(place));
+    rows.size[column] = foreseen_size(tool_.extent(segment), std::max(limits_.outward, limits_.inward));
+}
+
+void Search::fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const {
+    fill(rows, column, place);
+    for (int a = 0; a < 3; ++a)
+        rows.y[a][column] = batch.y[a][i];
+    rows.gap[column] = batch.gap[i];
+}
+
+/// Does the sub-triangle take the node as contact? Known only where the bounds are foreseen, and away from every limit
+/// by more than the filter needs.
+Search::Standing Search::standing(const LandingRows& rows, int i, double depth, int place) const {
+    const double size = rows.size[i], height2 = rows.height[i] * rows.height[i];
+    const double rounding = foreseen_share * size;
+    if (!(rows.core[i] < double(beyond_foreseen) && rows.far[i] <= size && std::abs(rows.p[i]) <= 4 &&
+          std::abs(rows.q[i]) <= 4 && rows.total[i] >= 0.5 && height2 > 4 * rounding * rounding * rows.square[i]))
+        return Standing::unknown;
+    const bool front = rows.height[i] > 0;
+    const double limit = front ? limits_.outward : limits_.inward;
+    if (!(height2 * (1 + 1e-9) < limit * limit * rows.square[i])) return Standing::unknown;
+    constexpr double low = -0.01;
+    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
+    if (inner < low - pair_share) return Standing::rejected;
+    if (!(inner > low + pair_share)) return Standing::unknown;
+    const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
+    if (least < low - pair_share) return Standing::rejected;
+    if (!(least > low + pair_share)) return Standing::unknown;
+    // Clipping moves the point by at most half of the weights' change, 0.0404, times an edge; an edge is at most
+    // 2 sqrt(3) times the extent.
+    const double moved = least > pair_share ? 0.0 : 0.071 * tool_.extent(segment_of(place));
+    const V3 n{rows.n[0][i], rows.n[1][i], rows.n[2][i]};
+    const double farthest = std::abs(rows.lift[i]) * norm(n) + moved + 2 * pair_share * size;
+    return farthest < (front ? rows.gap[i] : depth) ? Standing::taken : Standing::unknown;
+}
+
+bool Search::pair_up(Batch& batch, int first, int i) const {
+    const LandingRows& rows = batch.rows;
+    // No place to look at is one of these, too.
+    if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
+    const int own = batch.memory[first + i]->place;
+    const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
+    const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
+    const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
+    const float pair = margins_[static_cast<size_t>(own)].pair.load(std::memory_order_relaxed);
+    if (!(along >= double(pair) + pair_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
+    const int other = partner(own, side);
+    if (other < 0) return false;
+    fill(batch.partners, batch.pair_count, other, batch, first + i);
+    batch.pairs[batch.pair_count++] = {first + i, own, other, kappa(rows.b[i], rows.c[i])};
+    return true;
+}
+
+void Search::decide_pairs(Batch& batch, const Rules& rules) const {
+    const int count = batch.pair_count;
+    batch.pair_count = 0;
+    if (count == 0) return;
+    batch.tally.paired += count;
+    const LandingRows& rows = batch.partners;
+    LandingLimits limits = landing_limits(batch.depth, batch.proximity);
+    limits.decide = false;
+    plain_landing(batch.partners, count, limits);
+    for (int j = 0; j < count; ++j) {
+        const Batch::Pair& pair = batch.pairs[j];
+        batch.path[pair.column] = Path::paired;
+        const Standing stands = standing(rows, j, batch.depth, pair.other);
+        const double apart = kappa(rows.b[j], rows.c[j]) - pair.kappa;
+        if (stands == Standing::rejected || (stands == Standing::taken && apart > pair_share)) {
+            batch.place[pair.column] = pair.own;
+        } else if (stands == Standing::taken && apart < -pair_share) {
+            take(batch, pair.column, pair.other, rows, j);
+        } else if (stands == Standing::taken) {
+            batch.close[batch.close_count++] = pair;
+        } else {
+            put(batch, pair.column, decide_pair(batch, pair, rules));
+        }
+    }
+}
+
+void Search::decide_close(Batch& batch, const Rules& rules) const {
+    LandingRows& rows = batch.rows;
+    FineKappaRows& fine = batch.fine;
+    constexpr int part = LandingRows::room / 2;
+    for (int first = 0; first < batch.close_count; first += part) {
+        const int count = std::min(part, batch.close_count - first);
+        for (int j = 0; j < count; ++j) {
+            const Batch::Pair& pair = batch.close[first + j];
+            fill(rows, 2 * j, pair.own, batch, pair.column);
+            fill(rows, 2 * j + 1, pair.other, batch, pair.column);
+        }
+        fine_landing(rows, 2 * count, fine);
+        for (int j = 0; j < count; ++j) {
+            const Batch::Pair& pair = batch.close[first + j];
+            const int own = 2 * j, other = own + 1;
+            const double apart =
+                (TwoDoubles(fine.high[other], fine.low[other]) - TwoDoubles(fine.high[own], fine.low[own])).high;
+            if (apart > 3 * fine_kappa_share) {
+                batch.place[pair.column] = pair.own;
+            } else if (apart < -3 * fine_kappa_share) {
+                LandingRows& landed = batch.partners;
+                fill(landed, 0, pair.other, batch, pair.column);
+                plain_landing(landed, 1, landing_limits(batch.depth, batch.proximity));
+                take(batch, pair.column, pair.other, landed, 0);
+            } else {
+                put(batch, pair.column, decide_pair(batch, pair, rules));
+                batch.path[pair.column] = Path::paired;
+                continue;
+            }
+            batch.settled[pair.column] = Settled::fine;
+            ++batch.tally.fine;
+        }
+    }
+}
+
+/// Only these two can take the node: the exact way of telling them apart.
+Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const {
+    const int i = pair.column;
+    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    Decider decider(y, window, rules);
+    for (const int place : {pair.own, pair.other}) {
+        const SegmentData segment = tool_.segment(segment_of(place));
+        decider.add(segment_of(place), piece_of(place),
+                    filter(y, segment, local_segment(segment), piece_of(place), window, rules));
+    }
+    Found found{decider.retained([&](int s) { return tool_.segment(s); }), Path::paired};
+    if (found.retained.segment >= 0) batch.memory[i]->place = place_of(found.retained.segment, found.retained.piece);
+    return found;
+}
+
+void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
+    batch.memory[i]->place = place;
+    batch.place[i] = place;
+    batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
+    batch.b[i] = rows.b[column];
+    batch.c[i] = rows.c[column];
+    batch.lift[i] = rows.lift[column];
+    for (int a = 0; a < 3; ++a) {
+        batch.n[a][i] = rows.n[a][column];
+        batch.x[a][i] = rows.x[a][column];
+    }
+}
+
+void Search::put(Batch& batch, int i, const Found& found) const {
+    const Retained& r = found.retained;
+    batch.path[i] = found.path;
+    batch.settled[i] = r.settled;
+    batch.tally.certified += found.path == Path::certified;
+    batch.tally.quiet += found.path == Path::quiet;
+    batch.tally.searched += found.path == Path::searched;
+    batch.tally.fine += r.settled == Settled::fine;
+    batch.tally.whole += r.settled == Settled::whole;
+    batch.place[i] = -1;
+    if (r.segment < 0) return;
+    batch.place[i] = place_of(r.segment, r.piece);
+    batch.kind[i] = r.landing.kind;
+    batch.side[i] = static_cast<signed char>(r.landing.side);
+    batch.b[i] = r.landing.b;
+    batch.c[i] = r.landing.c;
+    batch.lift[i] = r.landing.lift;
+    const V3 x = landed_at(tool_.segment(r.segment), r.piece, r.landing.b, r.landing.c);
+    for (int a = 0; a < 3; ++a) {
+        batch.n[a][i] = r.landing.normal[a];
+        batch.x[a][i] = x[a];
+    }
+}
+
+}  // namespace type21::optimized
