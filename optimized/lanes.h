@@ -101,4 +101,15 @@ TYPE21_INLINE void choose(const I& mask, const VectorLanes<L>& p, VectorLanes<L>
     choose(mask, p.z, r.z);
 }
 
+/// M v; with `transposed` the other way round.
+template <bool transposed, class L>
+TYPE21_INLINE void turn(const double (&m)[3][3], const VectorLanes<L>& v, VectorLanes<L>& r) {
+    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+        return transposed ? m[j][i] : m[i][j];
+    };
+    r.x = (entry(0, 0) * v.x + entry(0, 1) * v.y) + entry(0, 2) * v.z;
+    r.y = (entry(1, 0) * v.x + entry(1, 1) * v.y) + entry(1, 2) * v.z;
+    r.z = (entry(2, 0) * v.x + entry(2, 1) * v.y) + entry(2, 2) * v.z;
+}
+
 }  // namespace type21::optimized

@@ -78,7 +78,8 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
     const double nm = local.normal_size;
 
     // S bounds |P - o| and |x_j - o|. Each of e1, e2, u is within 5 e S of exact: corner differences e S, the centre
-    // 2 e S (three additions of at most 3 S, then a quarter), their difference 1.75 e S. All are at most 1.75 S.
+    // 2 e S (three of these, two additions of at most 2 S and 3 S, then a quarter), their difference 1.75 e S. All are
+    // at most 1.75 S.
     const Triple<Real> from_origin = widened<Real>(p) - widened<Real>(local.origin);
     const double s = std::max(local.extent, largest(from_origin));
     if (!(s >= Range<Real>::smallest_length && s <= Range<Real>::largest_length && nm >= Range<Real>::smallest_normal &&
@@ -95,7 +96,9 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
     const double eta = 48 * e * s * s / area_size * second_order;
     if (!(eta < too_coarse)) return result;  // slivers and N = 0
 
-    // D2 = |N|^2 within 3.5 eta + 4 e of itself; g1, g2 within 5.2 eta Gm, Gm = 2 |e| |N| / D2 their largest size.
+    // A component of N is at most 2 S^2 of a triangle, whose A is o, and at most 1.875 S^2 of a quarter of a quad: eta
+    // is at least 24 e. So the constants from here on, 5.2, 6.6, 3.7 and the others, hold the few e of each operation,
+    // too. D2 = |N|^2 within 3.5 eta + 4 e of itself; g1, g2 within 5.2 eta Gm, Gm = 2 |e| |N| / D2 their largest size.
     const Real d2 = dot(area, area);
     const Real of_square = one / d2;
     const Triple<Real> g1 = cross(e2, area) * of_square;

@@ -4,7 +4,9 @@
 
 namespace type21::optimized {
 
-// Line by line the bounds of filter(), with the largest values that their variables can have.
+// Line by line the bounds of filter(), with the largest values that their variables can have: S is foreseen_size, |H|
+// is growth |N|, |p| and |q| are 4, W is 1/2, weights of step 2 lie between -0.01 and 1.02. `more` stands for what
+// filter() calls second order, and for the rounding of the bounds themselves.
 bool foreseen(const SegmentData& segment, int k, double extent, double growth) {
     constexpr double e = 0x1p-53, more = 1.05;
     const LocalSegment local = local_segment(segment);

@@ -13,9 +13,10 @@ inline double foreseen_size(double extent, double growth) {
     return extent + 1.5 * growth;
 }
 
-/// True when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4 and W >= 1/2, the bounds
-/// that filter() derives are below foreseen_share: of each weight of step 2 and 3 and of H / (|N| size), |delta| /
-/// size. They grow with the numbers that they are made of, so the largest of these give the largest bounds.
+/// True when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4, W >= 1/2 and weights of
+/// step 2 >= -0.01, the bounds that filter() derives are below foreseen_share: of each weight of step 2 and 3 and of H
+/// / (|N| size), |delta| / size. They grow with the numbers that they are made of, so the largest of these give the
+/// largest bounds.
 /// @param growth  largest |H| / |N| [length]
 bool foreseen(const SegmentData& segment, int k, double extent, double growth);
 

@@ -1,6 +1,7 @@
 #include "optimized/decide/query.h"
 
 #include <stdexcept>
+#include <string>
 
 #include "optimized/decide/decide.h"
 
@@ -10,6 +11,9 @@ namespace {
 
 void require(bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
+}
+void require(bool holds, const char* of, size_t number, const char* what) {
+    if (!holds) throw std::invalid_argument(std::string("decide: ") + of + " " + std::to_string(number) + what);
 }
 
 }  // namespace
@@ -22,14 +26,17 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
     require(std::isfinite(gap) && std::isfinite(depth) && std::isfinite(reach),
             "decide: gap, depth and reach must be finite [length]");
     for (size_t i = 0; i < nodes.size(); ++i)
-        require(nodes[i].allFinite() && normals[i].allFinite(), "decide: a coordinate or normal is not finite");
+        require(nodes[i].allFinite(), "tool node", i + 1, ": a coordinate is not finite [length]; give finite ones");
+    for (size_t i = 0; i < normals.size(); ++i)
+        require(normals[i].allFinite(), "tool node", i + 1,
+                ": a component of its normal is not finite [-]; give finite ones");
     const auto segment_of = [&](int rank) {
         const auto& corner = segments[static_cast<size_t>(rank)];
         SegmentData segment;
         segment.triangle = corner[2] == corner[3];
         for (size_t j = 0; j < 4; ++j) {
-            require(corner[j] >= 0 && static_cast<size_t>(corner[j]) < nodes.size(),
-                    "decide: a segment names a node that is not there");
+            require(corner[j] >= 0 && static_cast<size_t>(corner[j]) < nodes.size(), "segment",
+                    static_cast<size_t>(rank) + 1, " names a node that is not there; indices start at 0");
             segment.node[j] = from(nodes[static_cast<size_t>(corner[j])]);
             segment.normal[j] = from(normals[static_cast<size_t>(corner[j])]);
         }

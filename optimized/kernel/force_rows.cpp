@@ -10,17 +10,6 @@ constexpr bool has(unsigned effects, unsigned one) {
     return (effects & one) != 0;
 }
 
-/// M v; with `transposed` the other way round.
-template <bool transposed, class L>
-TYPE21_INLINE void turn(const double (&m)[3][3], const VectorLanes<L>& v, VectorLanes<L>& r) {
-    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
-        return transposed ? m[j][i] : m[i][j];
-    };
-    r.x = (entry(0, 0) * v.x + entry(0, 1) * v.y) + entry(0, 2) * v.z;
-    r.y = (entry(1, 0) * v.x + entry(1, 1) * v.y) + entry(1, 2) * v.z;
-    r.z = (entry(2, 0) * v.x + entry(2, 1) * v.y) + entry(2, 2) * v.z;
-}
-
 template <class L>
 TYPE21_INLINE void only(const WholeLanes<L>& mask, L& v) {
     v = (L)((WholeLanes<L>)v & mask);
@@ -267,45 +256,7 @@ Forces forces_on(Machine machine) {
     return machine == Machine::four ? act_four<Effects> : act_two<Effects>;
 }
 
-template <int W>
-TYPE21_INLINE void transform(Search::Batch& rows, int count, const ForceCycle& c) {
-    for (int j = 0; j < count; j += W) {
-        VectorLanes<Lanes<W>> x, y;
-        load(rows.y[0] + j, rows.y[1] + j, rows.y[2] + j, x);
-        x.x -= c.center[0];
-        x.y -= c.center[1];
-        x.z -= c.center[2];
-        turn<true>(c.rotation, x, y);
-        store(y, rows.y[0] + j, rows.y[1] + j, rows.y[2] + j);
-    }
-}
-TYPE21_AVX512 void transform_eight(Search::Batch& rows, int count, const ForceCycle& c) {
-    transform<8>(rows, count, c);
-}
-TYPE21_AVX2 void transform_four(Search::Batch& rows, int count, const ForceCycle& c) {
-    transform<4>(rows, count, c);
-}
-
 }  // namespace
-
-ForceCycle::ForceCycle(const Laws& laws, const Cycle& cycle) {
-    const ToolMotion& pose = cycle.pose;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            rotation[i][j] = pose.rotation(i, j);
-        center[i] = pose.position[i];
-        speed[i] = pose.velocity[i];
-        turning[i] = pose.angular_velocity[i];
-    }
-    const Interface& card = *laws.card;
-    viss = card.viss;
-    step = cycle.motion.step;
-    per_step = step > 0 ? 1 / step : 0.0;
-    rubbing = cycle.filter * cycle.motion.friction_step;
-    mu = card.fric;
-    limited = card.itlim == 0;
-    inacti6 = cycle.inacti == 6;
-}
 
 Forces forces_for(unsigned effects, Machine machine) {
     constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax;
@@ -326,16 +277,6 @@ Forces forces_for(unsigned effects, Machine machine) {
             return forces_on<pmax | rubbing>(machine);
         default:
             return forces_on<damping | rubbing | pmax>(machine);
-    }
-}
-
-void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, Machine machine) {
-    if (machine == Machine::eight) {
-        transform_eight(rows, count, cycle);
-    } else if (machine == Machine::four) {
-        transform_four(rows, count, cycle);
-    } else {
-        transform<2>(rows, count, cycle);
     }
 }
 

@@ -1,0 +1,153 @@
+// Set-up, gaps of a cycle, and the histories of time 0.
+#include <algorithm>
+
+#include <Eigen/Eigenvalues>
+
+#include "optimized/contact_state.h"
+#include "optimized/kernel/normal_law.h"
+
+namespace type21::optimized {
+
+namespace {
+
+/// k of a node, Stfac S between Stmin and Stmax, or Stfac alone.
+/// @page field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01
+double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
+    if (card.istf == 1) return card.stfac;
+    const double k = card.stfac * s;
+    if (as_built.has(Departure::D01)) return k;
+    return k < card.stmin ? double(card.stmin) : (card.stmax < k ? double(card.stmax) : k);
+}
+
+}  // namespace
+
+Contact::State::State(const Scene& scene_, int interface_)
+    : scene(scene_), interface(interface_), laws(scene_, interface_), reach(0), inacti(laws.card->inacti) {
+    const Interface& card = *laws.card;
+    const SecondarySide& side = card.secondary;
+    const size_t n = side.node.size();
+    nodes.node = side.node;
+    nodes.gap = side.gap;
+    if (side.search_gap != side.gap || laws.growth) nodes.search_gap = side.search_gap;
+    nodes.mass = side.mass;
+    nodes.stiffness.resize(n);
+    for (size_t i = 0; i < n; ++i)
+        nodes.stiffness[i] = stiffness_of(card, side.element_stiffness[i], laws.model->as_built);
+    if (laws.as_built(Departure::D04)) {
+        nodes.friction_stiffness = side.element_stiffness;
+        if (card.istf == 1) std::fill(nodes.friction_stiffness.begin(), nodes.friction_stiffness.end(), 1.0);
+    }
+    nodes.offset.assign(n, 0.0);
+    nodes.cycles.assign(n, 0);
+    nodes.memory.resize(n);
+    if (laws.has(effect::friction)) nodes.friction.resize(n);
+    if (laws.skid) nodes.skid.assign(n, 0.0);
+    if (laws.release) nodes.released.assign(n, 0);
+    if (has(Effect::adaptive_data)) adaptive.emplace(*laws.model, card, laws.tool);
+    reach = laws.proximity;
+    for (size_t i = 0; i < n; ++i)
+        reach = std::max(reach, nodes.deciding_gap(i));
+    new_search();
+    lists.resize((n + chunk - 1) / chunk);
+    one_by_one = kernel_for(laws.effects());
+    const RigidBody& tool = laws.model->rigid_bodies[static_cast<size_t>(card.tool)];
+    if (has(Effect::tool_damping) && card.tool_rotates)
+        least_inertia = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvalues().minCoeff();
+}
+
+void Contact::State::new_search() {
+    const Interface& card = *laws.card;
+    const AsBuilt& as_built = laws.model->as_built;
+    ReachBoxRule boxes;
+    boxes.on = as_built.has(Departure::D34);
+    boxes.proximity = laws.proximity;
+    if (boxes.on && card.tool_rotates) {
+        const RigidBody& tool = laws.model->rigid_bodies[static_cast<size_t>(card.tool)];
+        boxes.axes = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvectors();
+    }
+    Limits limits;
+    limits.outward = reach;
+    limits.inward = card.depth;
+    limits.margin = as_built.has(Departure::D31) ? 0.05 : 0.01;
+    limits.lift_leaning = as_built.has(Departure::D35);
+    laws.search = std::make_unique<Search>(laws.tool, limits, boxes);
+    // What nodes remember of the old search holds for the old limits.
+    for (Memory& memory : nodes.memory)
+        memory.quiet = 0;
+}
+
+void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
+    const Interface& card = *laws.card;
+    step.smallest_gap_raw = card.smallest_gap_raw;
+    step.largest_gap_raw = card.largest_gap;
+    if (!laws.growth) return;
+    step.smallest_gap_raw = 1e30;
+    step.largest_gap_raw = 0;
+    double most = 0;
+    for (size_t i = 0; i < nodes.gap.size(); ++i) {
+        const GrownGap gap = laws.growth->at(static_cast<int>(i), motion.thickness);
+        nodes.gap[i] = nodes.search_gap[i] = gap.clipped;
+        // D33: the largest gap of time 0 is the least that decides contact.
+        if (laws.d33) nodes.search_gap[i] = std::max(std::min(gap.raw, double(card.gapmax)), card.largest_gap);
+        most = std::max(most, nodes.search_gap[i]);
+        step.smallest_gap_raw = std::min(step.smallest_gap_raw, gap.raw);
+        step.largest_gap_raw = std::max(step.largest_gap_raw, gap.raw);
+    }
+    if (most <= reach) return;
+    reach = 1.25 * most;  // room, so that a growing sheet does not ask for a new search every cycle
+    new_search();
+}
+
+Contact::State::First Contact::State::first_look(size_t i, const Vec3& position, const ToolMotion& pose) const {
+    const Interface& card = *laws.card;
+    const Vec3 at = pose.rotation.transpose() * (position - pose.position);
+    const V3 y = from(at);
+    First first;
+    if (laws.as_built(Departure::D31)) {
+        Rules rules = laws.rules;
+        rules.low = -0.05;
+        rules.high = 1.05;
+        first.retained = laws.search->search(y, {nodes.gap[i], card.depth, 0.0}, rules, false);
+        if (first.retained.segment < 0) return first;
+        first.point = contact_point_at_start(laws.tool, first.retained, y);
+    } else {
+        first.retained = laws.search->search(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules);
+        if (first.retained.segment < 0) return first;
+        first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, y, position, pose)
+                               : contact_point(laws.tool, first.retained, pose);
+    }
+    first.penetration = penetration_beyond_rounding(nodes.gap[i], first.point.distance, largest(y));
+    return first;
+}
+
+void Contact::State::start(const Motion& motion) {
+    started = true;
+    if (motion.time > 0 || (inacti != 1 && inacti != 5 && inacti != 6)) return;
+    const ToolMotion& pose = motion.tools[static_cast<size_t>(laws.card->tool)];
+    bool any = false;
+    for (size_t i = 0; i < nodes.node.size(); ++i) {
+        const double p = first_look(i, motion.position[static_cast<size_t>(nodes.node[i])], pose).penetration;
+        if (p <= 0) continue;
+        any = true;
+        nodes.offset[i] = offset_at_start(inacti, p, nodes.gap[i], laws.card->depth);
+        if (inacti == 1) nodes.stiffness[i] = 0;
+    }
+    if (!any && laws.as_built(Departure::D26)) inacti = 0;
+}
+
+std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<Vec3>& positions) const {
+    const State& state = *state_;
+    ToolMotion pose;
+    pose.position = state.laws.model->rigid_bodies[static_cast<size_t>(state.laws.card->tool)].center;
+    std::vector<InitialPenetration> found;
+    for (size_t i = 0; i < state.nodes.node.size(); ++i) {
+        const int node = state.nodes.node[i];
+        const State::First first = state.first_look(i, positions[static_cast<size_t>(node)], pose);
+        if (first.penetration <= 0) continue;
+        found.push_back(
+            {node, first.retained.segment, first.penetration, first.point.distance, to_vec3(first.point.normal)});
+    }
+    return found;
+}
+
+}  // namespace type21::optimized

@@ -1,0 +1,58 @@
+/// @file What an optimized contact holds.
+#pragma once
+
+#include <optional>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "optimized/contact.h"
+#include "optimized/kernel/adaptive_law.h"
+#include "optimized/kernel/contact_point.h"
+#include "optimized/kernel/node_data.h"
+
+namespace type21::optimized {
+
+inline constexpr int chunk = Search::Batch::room;  ///< nodes that one thread takes at a time
+
+struct Contact::State {
+    State(const Scene& scene, int interface);
+
+    /// Inacti 1, 5, 6: the histories of time 0.
+    void start(const Motion& motion);
+    /// Gaps of this cycle (Igap 2); a new search when they outgrow the old one's limits.
+    void update_gaps(const Motion& motion, ContactStep& step);
+    void new_search();
+    /// The impact that decides Inacti and the list of initial penetrations; with D31 by another projection.
+    struct First {
+        double penetration = 0;
+        Retained retained;
+        ContactPoint point;
+    };
+    First first_look(size_t i, const Vec3& position, const ToolMotion& pose) const;
+    /// Runs the kernel over all nodes.
+    void run(const Motion& motion, const Output& out);
+    ContactSums sums() const;
+    ToolLoad tool_load(const Motion& motion) const;
+    bool active(double time) const;
+    bool has(Effect effect) const { return scene.has(interface, effect); }
+
+    Scene scene;
+    int interface;
+    Laws laws;
+    NodeData nodes;
+    double reach;  ///< that the search holds for [length]
+    Kernel one_by_one;
+    double least_inertia = 0;  ///< smallest principal inertia of the tool [mass length^2]
+    bool started = false;
+    int inacti;  ///< as it acts; with D26 it becomes 0 when nothing penetrates at time 0
+    std::optional<AdaptiveLaw> adaptive;
+
+    tbb::enumerable_thread_specific<Workspace> work;
+    std::vector<ChunkLists> lists;  ///< one a chunk
+    StepSums total;
+    PathCounts counts;
+    LeanStep lean;
+    std::vector<Vec3> lean_force;
+    std::vector<double> lean_stiffness;
+};
+
+}  // namespace type21::optimized
