@@ -60,6 +60,7 @@ void step(Stepped& one, int cycle, bool lean) {
 
 std::vector<double> ratio(const std::vector<double>& above, const std::vector<double>& below) {
     std::vector<double> out;
+    out.reserve(above.size());
     for (size_t i = 0; i < above.size(); ++i)
         out.push_back(above[i] / below[i]);
     return out;
@@ -93,6 +94,7 @@ EffectCost cost_of(const EffectCard& card, const char* implementation, int nodes
     cost.off = spread(off.ns);
     cost.on = spread(on.ns);
     std::vector<double> extra;
+    extra.reserve(on.ns.size());
     for (size_t i = 0; i < on.ns.size(); ++i)
         extra.push_back(on.ns[i] - off.ns[i]);
     const std::vector<double> off_ratio = ratio(off.ns, absent.ns);

@@ -88,6 +88,7 @@ std::vector<QuestionBlock> all_families(size_t count, std::uint64_t seed) {
         for (const Family& family : families()) {
             DecisionBlock block = block_of(family, seed, round);
             std::vector<Vec3> before;
+            before.reserve(block.queries.size());
             for (const DecisionQuery& query : block.queries)
                 before.push_back(query.point);
             blocks.push_back({std::move(block.tool), std::move(block.queries), std::move(before)});
