@@ -88,7 +88,7 @@ EffectCost cost_of(const EffectCard& card, const char* implementation, int nodes
     cost.off_means = card.off_means;
     cost.implementation = implementation;
     cost.lean = lean;
-    cost.nodes = static_cast<size_t>(nodes * nodes);
+    cost.nodes = static_cast<size_t>(nodes) * static_cast<size_t>(nodes);
     cost.cycles = static_cast<size_t>(cycles);
     cost.absent = spread(absent.ns);
     cost.off = spread(off.ns);
