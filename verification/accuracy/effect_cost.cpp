@@ -60,6 +60,7 @@ void step(Stepped& one, int cycle, bool lean) {
 
 std::vector<double> ratio(const std::vector<double>& above, const std::vector<double>& below) {
     std::vector<double> out;
+    out.reserve(above.size());
     for (size_t i = 0; i < above.size(); ++i)
         out.push_back(above[i] / below[i]);
     return out;
@@ -87,12 +88,13 @@ EffectCost cost_of(const EffectCard& card, const char* implementation, int nodes
     cost.off_means = card.off_means;
     cost.implementation = implementation;
     cost.lean = lean;
-    cost.nodes = static_cast<size_t>(nodes * nodes);
+    cost.nodes = static_cast<size_t>(nodes) * static_cast<size_t>(nodes);
     cost.cycles = static_cast<size_t>(cycles);
     cost.absent = spread(absent.ns);
     cost.off = spread(off.ns);
     cost.on = spread(on.ns);
     std::vector<double> extra;
+    extra.reserve(on.ns.size());
     for (size_t i = 0; i < on.ns.size(); ++i)
         extra.push_back(on.ns[i] - off.ns[i]);
     const std::vector<double> off_ratio = ratio(off.ns, absent.ns);

@@ -63,7 +63,9 @@ EffectScene::EffectScene(int nodes) {
     side.thickness.assign(side.node.size(), 2 * stability::gap);
     for (int j = 0; j + 1 < nodes; ++j)
         for (int i = 0; i + 1 < nodes; ++i) {
-            const auto at = [&](int column, int row) { return side.node[static_cast<size_t>(row * nodes + column)]; };
+            const auto at = [&](int column, int row) {
+                return side.node[static_cast<size_t>(row) * static_cast<size_t>(nodes) + static_cast<size_t>(column)];
+            };
             Shell shell;
             shell.id = static_cast<Id>(model.shells.size()) + 1;
             shell.node = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};

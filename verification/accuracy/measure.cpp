@@ -67,6 +67,7 @@ void measure_scene(const SceneKind& kind, const Options& options, Result& result
     const std::vector<QuestionBlock> blocks = kind.make(options.decisions(), options.seed);
     const std::vector<Asked> asked = all_asked(blocks);
     std::vector<Truth> truths;
+    truths.reserve(asked.size());
     for (const Asked& one : asked)
         truths.push_back(truth_of(one.tool(), one.query()));
     result.scenes.push_back(row_of(kind, blocks, asked, truths));

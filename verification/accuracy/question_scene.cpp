@@ -10,7 +10,8 @@ namespace type21::accuracy {
 
 namespace {
 
-constexpr int side = 40;             // quads of a tool along each side
+constexpr int side = 40;  // quads of a tool along each side
+constexpr int middle = side / 2;
 constexpr double pitch = 1.1;        // of the tool [mm]
 constexpr double radius = 200;       // of a gently curved tool: like a body panel [mm]
 constexpr double gap = 0.5;          // and DEPTH [mm]
@@ -28,7 +29,7 @@ double bowl(double x, double y) {
 
 DecisionTool tool_of(Height height) {
     DecisionTool tool = sheet(side, side, [&](int i, int j) {
-        const double x = pitch * (i - side / 2), y = pitch * (j - side / 2);
+        const double x = pitch * (i - middle), y = pitch * (j - middle);
         return Vec3(x, y, height(x, y));
     });
     set_normals(tool);
@@ -88,6 +89,7 @@ std::vector<QuestionBlock> all_families(size_t count, std::uint64_t seed) {
         for (const Family& family : families()) {
             DecisionBlock block = block_of(family, seed, round);
             std::vector<Vec3> before;
+            before.reserve(block.queries.size());
             for (const DecisionQuery& query : block.queries)
                 before.push_back(query.point);
             blocks.push_back({std::move(block.tool), std::move(block.queries), std::move(before)});

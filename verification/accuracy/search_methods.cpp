@@ -14,6 +14,8 @@ namespace {
 
 optimized::Tool tool_of(const DecisionTool& tool) {
     std::vector<optimized::V3> position, normal;
+    position.reserve(tool.node.size());
+    normal.reserve(tool.normal.size());
     for (const Vec3& x : tool.node)
         position.push_back(optimized::from(x));
     for (const Vec3& n : tool.normal)
@@ -33,6 +35,7 @@ class Prepared {
           all_(block.tool.segment.size()) {
         std::iota(all_.begin(), all_.end(), 0);
         // A cycle before the one that is timed.
+        memory_.reserve(block.queries.size());
         for (size_t q = 0; q < block.queries.size(); ++q) {
             optimized::Memory memory;
             const OptimizedQuestion question(block.tool, block.queries[q]);
@@ -83,6 +86,7 @@ std::vector<Method> search_methods(const std::vector<QuestionBlock>& blocks, con
         prepared->emplace(&block, std::make_unique<Prepared>(block));
     // Looked up before the time is taken.
     std::vector<const Prepared*> of;
+    of.reserve(asked.size());
     for (const Asked& one : asked)
         of.push_back(prepared->at(one.block).get());
 

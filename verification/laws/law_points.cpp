@@ -50,6 +50,7 @@ void add_node(const NodeContact& node, double area, bool rubs, bool limited, Int
 /// The smallest, a middle and the largest of the speeds of the points.
 std::vector<double> speeds_of(const std::vector<FrictionPoint>& points) {
     std::vector<double> speeds;
+    speeds.reserve(points.size());
     for (const FrictionPoint& point : points)
         speeds.push_back(point.speed);
     std::sort(speeds.begin(), speeds.end());

@@ -66,7 +66,7 @@ def draw_methods(rows, what):
     for number, name in enumerate(methods):
         panels[0, 0].plot([], [], "-", lw=4, color=curves.COLOURS[number % len(curves.COLOURS)], label=name)
     panels[-1, 0].set_xlabel("ns a decision; mark: median, bar: to p95, line: to max; cross: share that it cannot tell" if what == "wrong" else "ns a decision; mark: largest error, dash: 99th percentile")
-    curves.legend_below(figure, panels[0, 0], 4)
+    curves.legend_below(figure, panels[0, 0], 3)
     return curves.as_svg(figure, f"accuracy-{what}")
 
 
@@ -86,7 +86,7 @@ def draw_search(rows):
     axes.set_ylim(len(names) - 0.5, -0.5)
     axes.set_xscale("log")
     axes.set_xlabel("ns a decision, the search included")
-    curves.legend_below(figure, axes, 5)
+    curves.legend_below(figure, axes, 4)
     return curves.as_svg(figure, "accuracy-search")
 
 

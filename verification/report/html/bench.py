@@ -10,7 +10,7 @@ REACHED = {"aim": "goal reached", "at least": "least reached", "no": "NOT REACHE
 
 
 def draw_ratios(ratios):
-    """How many times as fast, a row a comparison."""
+    """Time of the one over time of the other, a row a comparison."""
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(6.6, 0.8 + 0.24 * len(ratios)), layout="constrained")
@@ -22,7 +22,7 @@ def draw_ratios(ratios):
     curves.plain_log(axes.xaxis)
     axes.set_yticks(range(len(ratios)), [curves.short(f"{row['scene']}: {row['what']}", 62) for row in ratios], fontsize=7)
     axes.set_ylim(len(ratios) - 0.4, -0.6)
-    axes.set_xlabel("times as fast (mark: of medians, line: to that of minima)")
+    axes.set_xlabel("first over second (mark: of medians, line: to minima)")
     return curves.as_svg(figure, "bench-ratios")
 
 
@@ -42,7 +42,7 @@ def draw_stages(stages):
     axes.set_yticks(range(len(scenes)), scenes)
     axes.set_ylim(len(scenes) - 0.4, -0.6)
     axes.set_xlabel("ns per node and cycle")
-    curves.legend_below(figure, axes, 7)
+    curves.legend_below(figure, axes, 4)
     return curves.as_svg(figure, "bench-stages")
 
 
@@ -70,8 +70,8 @@ def draw_growth(growth):
 def note_on_ratios(ratios):
     slower = [row for row in ratios if row["of_medians"] < 1]
     least, most = (pick(ratios, key=lambda row: row["of_medians"]) for pick in (min, max))
-    text = f"From {least['of_medians']:.3g} times ({least['scene']}: {least['what']}) to {most['of_medians']:.3g} times ({most['scene']}: {most['what']}) as fast"
-    return text + (f"; in {len(slower)} of {len(ratios)} the other one is faster." if slower else f", faster in all {len(ratios)} comparisons." if len(ratios) > 1 else ".")
+    text = f"The time of the first is {least['of_medians']:.3g} times ({least['scene']}: {least['what']}) to {most['of_medians']:.3g} times ({most['scene']}: {most['what']}) that of the second"
+    return text + (f"; in {len(slower)} of {len(ratios)} comparisons, those below 1, the first is the faster one." if slower else f", which is faster in all {len(ratios)} comparisons.")
 
 
 def note_on_stages(stages):
@@ -97,7 +97,7 @@ def section(found, store):
         return None
     code = digest(HERE / "bench.py", HERE / "curves.py")
     figures = dict.fromkeys(("ratios", "stages", "growth"))
-    for name, title, draw, note in (("ratios", "How many times as fast", draw_ratios, note_on_ratios), ("stages", "Where the time of a step goes", draw_stages, note_on_stages),
+    for name, title, draw, note in (("ratios", "Times of one over times of the other", draw_ratios, note_on_ratios), ("stages", "Where the time of a step goes", draw_stages, note_on_stages),
                                     ("growth", "Time against the size of the tool", draw_growth, note_on_growth)):
         rows = found.get(name) or []
         if rows:
@@ -109,4 +109,4 @@ def section(found, store):
         if isinstance(value, (str, int, float)) and name not in about:
             about[name] = value
     return {"about": about, "figures": figures, "targets": targets, "missed": missed, "words": REACHED,
-            **{name: found.get(name) or [] for name in ("scenes", "rows", "ratios", "stages", "threads")}, "roofline": found.get("roofline"), "check": found.get("check")}
+            **{name: found.get(name) or [] for name in ("scenes", "rows", "ratios", "stages", "effects", "threads")}, "roofline": found.get("roofline"), "check": found.get("check")}

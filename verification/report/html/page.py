@@ -117,7 +117,7 @@ def make(sources, store, options):
     fast_runs = optimized_runs(cases)
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True)
-    environment.filters.update(number=words.number, small=words.small, picture=words.picture)
+    environment.filters.update(number=words.number, small=words.small, picture=words.picture, nanoseconds=words.nanoseconds)
     environment.globals.update(percent=words.percent, plural=words.plural, share=tally.share)
     failed = [record for record in sources.records if record["verdict"] == "failed"]
     text = environment.get_template("page.html.j2").render(

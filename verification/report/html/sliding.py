@@ -43,7 +43,7 @@ def draw(rows):
         panels[0, -1].plot([], [], "-", marker=MARKS[number % len(MARKS)], ms=4, color=curves.COLOURS[number], label=mesh)
     panels[0, -1].plot([], [], "-", color="#555555", label="interpolated normals")
     panels[0, -1].plot([], [], "--", color="#555555", label="normals of facets")
-    curves.legend_below(figure, panels[0, -1], 6)
+    curves.legend_below(figure, panels[0, -1], 3)
     return curves.as_svg(figure, "sliding")
 
 

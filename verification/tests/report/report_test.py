@@ -166,7 +166,7 @@ class Page(unittest.TestCase):
         text = self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3, "ratios": ratios, "targets": targets, "growth": growth}})
         self.assert_has(text, "1 of 2 targets reached")
         self.assert_has(text, "NOT REACHED")
-        self.assert_has(text, "in 1 of 2 the other one is faster")
+        self.assert_has(text, "in 1 of 2 comparisons, those below 1, the first is the faster one")
         self.assert_has(text, "On a tool with 10 times the segments coherent takes 2 times as long.")
         self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3}})
 
