@@ -1,18 +1,17 @@
 #include "verification/bench/bare_step.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 
-#include "optimized/kernel/contact_point.h"
-#include "optimized/kernel/normal_law.h"
+#include "optimized/kernel/force_rows.h"
 #include "verification/bench/timing.h"
 
 namespace type21::bench {
 
+using optimized::ForceRows;
 using optimized::Search;
 using optimized::Term;
 using optimized::TermBlock;
-using optimized::V3;
 
 std::unique_ptr<optimized::Laws> laws_with_search(const Scene& scene, int interface) {
     auto laws = std::make_unique<optimized::Laws>(scene, interface);
@@ -38,7 +37,7 @@ BareStep::BareStep(const BenchScene& scene, bool rubbing)
     nodes_.offset.assign(n, 0.0);
     nodes_.cycles.assign(n, 0);
     nodes_.memory.resize(n);
-    nodes_.friction.resize(n);
+    if (rubbing_) nodes_.friction.resize(n);
     place_.resize(n);
     force_.resize(n);
     step_stiffness_.resize(n);
@@ -46,150 +45,123 @@ BareStep::BareStep(const BenchScene& scene, bool rubbing)
 
 namespace {
 
-/// Rows of the sums that the scene fills, in the order of Term.
-constexpr int rows = static_cast<int>(Term::friction_heat);
+int whole_registers(int count) {
+    return (count + 7) / 8 * 8;
+}
 
-struct Closed {
-    double elastic_energy, damping, normal_force, step_stiffness, stiffness;
-    V3 normal, velocity, friction, force, arm;
-};
+template <class Vector, size_t room>
+void put(const Vector& from, double (*to)[room], int j) {
+    for (int a = 0; a < 3; ++a)
+        to[a][j] = from[a];
+}
 
-/// @param put  takes a Term and its number
-template <class Put>
-void each_term(const Closed& n, double step, const Put& put) {
-    const auto put_vector = [&](Term first, const V3& v) {
-        put(first, v.x);
-        put(static_cast<Term>(static_cast<int>(first) + 1), v.y);
-        put(static_cast<Term>(static_cast<int>(first) + 2), v.z);
-    };
-    const auto magnitudes = [](const V3& v) { return V3{std::abs(v.x), std::abs(v.y), std::abs(v.z)}; };
-    const V3 normal = n.normal * -n.normal_force, total = normal + n.friction, on_tool = n.force * -1;
-    const double vn = dot(n.velocity, n.normal), square = dot(n.arm, n.arm);
-    put_vector(Term::normal_x, normal);
-    put_vector(Term::tangential_x, n.friction);
-    put_vector(Term::abs_normal_x, magnitudes(normal));
-    put_vector(Term::abs_total_x, magnitudes(total));
-    put(Term::signed_normal, -n.normal_force);
-    put(Term::norm_total, norm(total));
-    put(Term::friction_work, step * dot(n.velocity, n.friction));
-    put(Term::damping_work, n.damping * vn * vn * step);
-    put(Term::elastic_energy, n.elastic_energy);
-    put_vector(Term::force_x, on_tool);
-    put_vector(Term::moment_x, cross(n.arm, on_tool));
-    put(Term::stiffness, n.stiffness);
-    put(Term::rotation, n.stiffness * square);
-    put(Term::step_stiffness, n.step_stiffness);
-    put(Term::step_rotation, n.step_stiffness * square);
+void copy(const std::vector<double>& from, int first, int count, double* to) {
+    std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
 }
 
 }  // namespace
 
+/// Time 0 has rules of its own: the product's kernel for one node after the other knows them.
+void BareStep::at_time_zero(const optimized::Cycle& cycle) {
+    const int count = static_cast<int>(nodes_.node.size());
+    optimized::ChunkLists lists;
+    work_->sums.clear();
+    optimized::kernel_for(laws_->effects())(*laws_, cycle, nodes_, 0, count,
+                                            {nullptr, force_.data(), step_stiffness_.data()}, lists, *work_);
+    tool_force_ = work_->sums.vector(Term::force_x);
+}
+
 template <bool rubbing, BareStep::Until until, BareStep::Sums how>
 void BareStep::run(const Motion& motion) {
-    constexpr int lanes = optimized::lanes;
-    const Interface& card = *laws_->card;
-    const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
-    const bool time_zero = motion.time <= 0;
-    const double alpha = rubbing ? optimized::filter_share(card, motion.friction_step, laws_->model->as_built) : 0;
-    const int count = static_cast<int>(nodes_.node.size());
-    std::array<double, static_cast<size_t>(rows)> plain{};
+    const optimized::Cycle cycle(*laws_, motion, laws_->card->inacti);
+    tally_ = {};
+    searched_.clear();
+    paired_.clear();
+    if (cycle.time_zero) return at_time_zero(cycle);
+    const optimized::ForceCycle shared(*laws_, cycle);
+    const optimized::Forces forces =
+        optimized::forces_for(rubbing ? optimized::effect::damping | optimized::effect::friction : 0);
+    const std::span<const Term> summed = laws_->terms();
+    std::array<double, static_cast<size_t>(Term::count)> plain{};
+    Search::Batch& batch = *work_->batch;
+    ForceRows& f = *work_->forces;
     TermBlock& terms = work_->terms;
     terms.clear();
     work_->sums.clear();
-    tally_ = {};
-    searched_.clear();
-    const auto flush = [&] {
-        work_->sums.add(terms, rows);
-        terms.clear();
-    };
-    Search::Asked asked[lanes];
-    Search::Found found[lanes];
-    for (int start = 0; start < count; start += lanes) {
-        const int some = std::min(lanes, count - start);
-        for (int j = 0; j < some; ++j) {
-            const auto i = static_cast<size_t>(start + j);
-            const Vec3& position = motion.position[static_cast<size_t>(nodes_.node[i])];
-            const Vec3 at = pose.rotation.transpose() * (position - pose.position);
-            place_[i] = optimized::from(at);
-            asked[j] = {place_[i], window(i), &nodes_.memory[i]};
+    batch.depth = laws_->card->depth;
+    batch.proximity = 0;
+    const int last = static_cast<int>(nodes_.node.size());
+    for (int first = 0; first < last; first += Search::Batch::room) {
+        batch.count = std::min(Search::Batch::room, last - first);
+        for (int j = 0; j < batch.count; ++j) {
+            const auto i = static_cast<size_t>(first + j);
+            put(motion.position[static_cast<size_t>(nodes_.node[i])], batch.y, j);
+            batch.memory[j] = &nodes_.memory[i];
         }
+        copy(nodes_.gap, first, batch.count, batch.gap);
+        to_tool_frame(batch, batch.count, shared);
+        keep(batch);
         if constexpr (until == Until::transform) continue;
-        laws_->search->find(asked, some, laws_->rules, found);
-        for (int j = 0; j < some; ++j) {
-            tally_.certified += found[j].path == optimized::Path::certified;
-            tally_.quiet += found[j].path == optimized::Path::quiet;
-            tally_.searched += found[j].path == optimized::Path::searched;
-            if (found[j].path == optimized::Path::searched) searched_.push_back(start + j);
+        laws_->search->find(batch, laws_->rules);
+        tally_.add(batch.tally);
+        if constexpr (until == Until::decide) {
+            for (int j = 0; j < batch.count; ++j) {
+                place_[static_cast<size_t>(first + j)] = {batch.y[0][j], batch.y[1][j], batch.y[2][j]};
+                if (batch.path[j] == optimized::Path::searched) searched_.push_back(first + j);
+                if (batch.path[j] == optimized::Path::paired) paired_.push_back(first + j);
+            }
+            continue;
         }
-        keep(found);
-        if constexpr (until == Until::decide) continue;
-        for (int j = 0; j < some; ++j) {
-            const auto i = static_cast<size_t>(start + j);
-            const optimized::Retained& retained = found[j].retained;
-            force_[i] = Vec3::Zero();
-            step_stiffness_[i] = 0;
-            const auto forget = [&] {
-                if (time_zero) return;
-                nodes_.offset[i] = 0;
-                nodes_.cycles[i] = 0;
-                if constexpr (rubbing) nodes_.friction[i] = {};
-            };
-            if (retained.segment < 0) {
-                forget();
-                continue;
+        int columns = 0;
+        for (int at = 0; at < batch.count; at += ForceRows::room) {
+            const int start = first + at, count = std::min(ForceRows::room, batch.count - at);
+            for (int j = 0; j < whole_registers(count); ++j)
+                f.contact[j] = -static_cast<long long>(j < count && batch.place[at + j] >= 0 &&
+                                                       batch.kind[at + j] == Kind::contact);
+            for (int j = 0; j < count; ++j) {
+                const auto i = static_cast<size_t>(start + j);
+                f.first[j] = -static_cast<long long>(nodes_.cycles[i] == 0);
+                put(motion.velocity[static_cast<size_t>(nodes_.node[i])], f.velocity, j);
+                if constexpr (rubbing) put(nodes_.friction[i], f.friction, j);
             }
-            const optimized::ContactPoint point = contact_point(laws_->tool, retained, pose);
-            const double deep =
-                optimized::penetration_beyond_rounding(nodes_.gap[i], point.distance, largest(place_[i]));
-            if (deep == 0) {
-                forget();
-                continue;
-            }
-            ++nodes_.cycles[i];
-            const bool first = nodes_.cycles[i] == 1;
-            double offset = first && !time_zero ? deep : nodes_.offset[i];
-            offset = optimized::offset_after(offset, false, deep, nodes_.gap[i]);
-            nodes_.offset[i] = offset;
-            const double p = std::max(deep - offset, 0.0);
-            const bool acts = p > 0 || first;
-            Closed n;
-            n.stiffness = acts ? nodes_.stiffness[i] : 0.0;
-            n.normal = point.normal;
-            n.arm = point.point - optimized::from(pose.position);
-            n.velocity = optimized::from(motion.velocity[static_cast<size_t>(nodes_.node[i])]) -
-                         (optimized::from(pose.velocity) + cross(optimized::from(pose.angular_velocity), n.arm));
-            const optimized::Spring spring = optimized::linear_spring(n.stiffness, p);
-            n.elastic_energy = spring.energy;
-            n.damping = rubbing ? card.viss * std::sqrt(2 * n.stiffness * nodes_.mass[i]) : 0.0;
-            n.normal_force = spring.force - n.damping * dot(n.velocity, n.normal);
-            n.step_stiffness = motion.step > 0 ? n.stiffness + n.damping / motion.step : n.stiffness;
-            n.friction = {};
+            copy(nodes_.gap, start, count, f.gap);
+            copy(nodes_.stiffness, start, count, f.stiffness);
+            copy(nodes_.offset, start, count, f.offset);
             if constexpr (rubbing) {
-                const double growth = alpha * (acts ? nodes_.stiffness[i] : 0.0) * motion.friction_step;
-                const optimized::Tangential t = optimized::returned_to_limit(
-                    nodes_.friction[i], n.velocity, growth, n.normal, card.fric * std::abs(n.normal_force));
-                n.friction = nodes_.friction[i] = t.force;
+                copy(nodes_.mass, start, count, f.mass);
+                copy(nodes_.stiffness, start, count, f.increment);
             }
-            n.force = n.normal * n.normal_force - n.friction;
-            force_[i] = to_vec3(n.force);
-            step_stiffness_[i] = n.step_stiffness;
-            if constexpr (until == Until::force) continue;
-            if constexpr (how == Sums::plain) {
-                each_term(n, motion.step, [&](Term term, double value) { plain[static_cast<size_t>(term)] += value; });
-            } else {
-                double* column = terms.column();
-                each_term(n, motion.step,
-                          [&](Term term, double value) { column[static_cast<int>(term) * TermBlock::stride] = value; });
-                terms.next();
-                if (terms.size() == TermBlock::room) flush();
+            forces(shared, batch, at, f, count, terms, columns);
+            columns += whole_registers(count);
+            std::memcpy(nodes_.offset.data() + start, f.offset, static_cast<size_t>(count) * sizeof(double));
+            std::memcpy(step_stiffness_.data() + start, f.step_stiffness, static_cast<size_t>(count) * sizeof(double));
+            for (int j = 0; j < count; ++j) {
+                const auto i = static_cast<size_t>(start + j);
+                nodes_.cycles[i] = (nodes_.cycles[i] + 1) & static_cast<int>(f.closed[j]);
+                force_[i] = {f.force[0][j], f.force[1][j], f.force[2][j]};
+                if constexpr (rubbing) nodes_.friction[i] = {f.friction[0][j], f.friction[1][j], f.friction[2][j]};
             }
         }
+        if constexpr (until == Until::force) continue;
+        terms.resize(columns);
+        if constexpr (how == Sums::plain) {
+            for (const Term term : summed) {
+                const double* row = terms.row(term);
+                double sum = 0;
+                for (int j = 0; j < columns; ++j)
+                    sum += row[j];
+                plain[static_cast<size_t>(term)] += sum;
+            }
+        } else {
+            work_->sums.add(terms, summed);
+        }
+        terms.clear();
     }
     if constexpr (until == Until::sum) {
-        if (terms.size() > 0) flush();
-        const auto at = static_cast<size_t>(Term::force_x);
-        tool_force_ =
-            how == Sums::exact ? work_->sums.vector(Term::force_x) : Vec3(plain[at], plain[at + 1], plain[at + 2]);
+        // Without friction the whole force is the normal force, and only that is summed.
+        const Term of_force = rubbing ? Term::force_x : Term::normal_x;
+        const auto at = static_cast<size_t>(of_force);
+        tool_force_ = how == Sums::exact ? work_->sums.vector(of_force) : Vec3(plain[at], plain[at + 1], plain[at + 2]);
     }
 }
 

@@ -1,6 +1,6 @@
-/// @file A step written by hand for one kind of scene, that knows no other effect: elastic, or elastic with damping and
-/// Coulomb friction. It stands for "a build without the effects", can sum in plain double, and can stop after each
-/// stage, which the product cannot. Its search is the product's.
+/// @file A step put together by hand, of the product's pieces, for one kind of scene: elastic, or elastic with damping
+/// and Coulomb friction. It asks for no other effect and stands for "a build without the effects"; it can sum in plain
+/// double, and can stop after each stage, which the product cannot.
 #pragma once
 
 #include <array>
@@ -34,9 +34,12 @@ class BareStep {
     const std::vector<optimized::Memory>& memory() const { return nodes_.memory; }
     /// Ranks of the nodes that the last cycle had to search for.
     const std::vector<int>& searched() const { return searched_; }
+    /// Ranks of those that the last cycle decided between two sub-triangles.
+    const std::vector<int>& paired() const { return paired_; }
     optimized::Window window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
 
   private:
+    void at_time_zero(const optimized::Cycle& cycle);
     template <bool rubbing, Until until, Sums sums>
     void run(const Motion& motion);
     template <bool rubbing>
@@ -48,7 +51,7 @@ class BareStep {
     std::vector<optimized::V3> place_;
     std::vector<Vec3> force_;
     std::vector<double> step_stiffness_;
-    std::vector<int> searched_;
+    std::vector<int> searched_, paired_;
     optimized::PathTally tally_;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "optimized/decide/decide.h"
+#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/decide/plain_landing.h"
 #include "optimized/sums/step_sums.h"
 
@@ -74,17 +75,29 @@ void one_whole(benchmark::State& state) {
 }
 BENCHMARK(one_whole)->Name("whole numbers, one sub-triangle");
 
-void four_plain(benchmark::State& state) {
-    PlainRows rows;
-    for (auto& row : rows.in)
-        for (double& value : row)
-            value = 0.3;
+void many_plain(benchmark::State& state) {
+    const Patch patch(0.05);
+    LandingRows rows;
+    for (size_t i = 0; i < LandingRows::room; ++i) {
+        const SegmentData& segment = patch.segment[i % 4];
+        for (int a = 0; a < 3; ++a) {
+            rows.y[a][i] = patch.place[i][a];
+            for (size_t j = 0; j < 4; ++j) {
+                rows.corner[j][a][i] = segment.node[j][a];
+                rows.normal[j][a][i] = segment.normal[j][a];
+            }
+        }
+        rows.code[i] = static_cast<long long>(i % 4);
+        rows.core[i] = 0;
+        rows.size[i] = foreseen_size(2, 0.25);
+        rows.gap[i] = 0.25;
+    }
     for (auto _ : state) {
-        plain_landing(rows);
+        plain_landing(rows, LandingRows::room, {0.25, 0.25, 0.25, 0, true});
         benchmark::ClobberMemory();
     }
 }
-BENCHMARK(four_plain)->Name("plain projection, four nodes");
+BENCHMARK(many_plain)->Name("plain projection, 64 nodes");
 
 /// A decision among the four squares. @param state.range(0)  0: anywhere on a noisy patch; 1: over the corner that the
 /// squares of a regular one share; 2: over the middle of an edge; 3: over a centre

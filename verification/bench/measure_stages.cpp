@@ -1,7 +1,10 @@
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <memory>
 #include <tbb/task_arena.h>
 
+#include "optimized/decide/foreseen_bounds.h"
+#include "optimized/decide/plain_landing.h"
 #include "verification/bench/bare_step.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/contact_run.h"
@@ -10,7 +13,7 @@ namespace type21::bench {
 
 namespace {
 
-using optimized::PlainRows;
+using optimized::LandingRows;
 
 /// A step by hand that remembers its cycle.
 struct BareRun {
@@ -29,43 +32,60 @@ struct BareRun {
     int cycle = 0;
 };
 
-/// The projections of as many nodes as the scene has, four at a time, on the segment and place of each.
-std::vector<PlainRows> projections(const BareStep& bare, size_t count) {
-    std::vector<PlainRows> rows((count + optimized::lanes - 1) / optimized::lanes);
+/// The projections of as many nodes, on the segment and place of each, all of them in a core.
+std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
+    std::vector<LandingRows> blocks(std::max<size_t>(count / LandingRows::room, 1));
     const optimized::Tool& tool = bare.laws().tool;
-    for (size_t i = 0; i < rows.size() * optimized::lanes; ++i) {
+    const optimized::Limits& limits = bare.search().limits();
+    for (size_t i = 0; i < blocks.size() * LandingRows::room; ++i) {
         const size_t n = std::min(i, bare.place().size() - 1);
-        const int s = std::max(bare.memory()[n].segment, 0), k = std::max(bare.memory()[n].piece, 1);
-        const optimized::SegmentData segment = tool.segment(s);
-        const optimized::PieceCorners corner = optimized::piece_corners(segment.triangle, k);
-        const auto at = [](int j) { return static_cast<size_t>(j); };
-        const size_t first = segment.triangle ? 2 : 0;
-        const optimized::V3 zero;
-        // In the order of PlainRows::Row.
-        const optimized::V3 vectors[] = {bare.place()[n],
-                                         segment.node[first],
-                                         segment.node[1],
-                                         segment.node[2],
-                                         segment.node[3],
-                                         segment.node[at(corner.b)],
-                                         segment.node[at(corner.c)],
-                                         segment.normal[first],
-                                         segment.triangle ? zero : segment.normal[1],
-                                         segment.triangle ? zero : segment.normal[2],
-                                         segment.triangle ? zero : segment.normal[3],
-                                         segment.normal[at(corner.b)],
-                                         segment.normal[at(corner.c)]};
-        PlainRows& row = rows[i / optimized::lanes];
-        const size_t lane = i % optimized::lanes;
-        int next = 0;
-        for (const optimized::V3& v : vectors)
-            for (int a = 0; a < 3; ++a)
-                row.in[next++][lane] = v[a];
-        row.in[PlainRows::quarter][lane] = segment.triangle ? 0 : 0.25;
-        row.in[PlainRows::normal_quarter][lane] = segment.triangle ? 1 : 0.25;
+        const int place = std::max(bare.memory()[n].place, 0), s = optimized::segment_of(place);
+        LandingRows& rows = blocks[i / LandingRows::room];
+        const size_t column = i % LandingRows::room;
+        for (int a = 0; a < 3; ++a) {
+            rows.y[a][column] = bare.place()[n][a];
+            for (int j = 0; j < 4; ++j) {
+                rows.corner[j][a][column] = tool.node(s, j)[a];
+                rows.normal[j][a][column] = tool.normal(s, j)[a];
+            }
+        }
+        rows.code[column] = tool.is_triangle(s) ? 4 : (place & 3);
+        rows.core[column] = 0;
+        rows.size[column] = optimized::foreseen_size(tool.extent(s), std::max(limits.outward, limits.inward));
+        rows.gap[column] = bare.window(n).gap;
     }
-    return rows;
+    return blocks;
 }
+
+/// Nodes asked again, a batch after the other.
+class AskedAgain {
+  public:
+    AskedAgain(const BareStep& bare, const std::vector<int>& nodes) : bare_(bare), nodes_(nodes) {}
+    void operator()() {
+        for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::room) {
+            const size_t count = std::min<size_t>(optimized::Search::Batch::room, nodes_.size() - first);
+            batch_->count = static_cast<int>(count);
+            batch_->depth = bare_.window(0).depth;
+            batch_->proximity = 0;
+            for (size_t j = 0; j < count; ++j) {
+                const auto i = static_cast<size_t>(nodes_[first + j]);
+                for (int a = 0; a < 3; ++a)
+                    batch_->y[a][j] = bare_.place()[i][a];
+                batch_->gap[j] = bare_.window(i).gap;
+                memory_[j] = bare_.memory()[i];
+                batch_->memory[j] = &memory_[j];
+            }
+            bare_.search().find(*batch_, bare_.laws().rules);
+            keep(*batch_);
+        }
+    }
+
+  private:
+    const BareStep& bare_;
+    const std::vector<int>& nodes_;
+    std::unique_ptr<optimized::Search::Batch> batch_ = std::make_unique<optimized::Search::Batch>();
+    std::array<optimized::Memory, optimized::Search::Batch::room> memory_;
+};
 
 /// Bytes of a node that one step must read or write: what streams through, not the tool, which nodes share.
 double streamed_bytes() {
@@ -94,7 +114,11 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         ContactRun product(scene);
         Rounds rounds;
         decide.next();
-        std::vector<PlainRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
+        decide.next();
+        std::vector<LandingRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
+        const optimized::Limits& reach = decide.bare.search().limits();
+        const optimized::LandingLimits limits{reach.outward, reach.inward, decide.bare.window(0).depth, 0, true};
+        AskedAgain paired(decide.bare, decide.bare.paired());
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(
             "product", [&] { return product.next(true); }, effort.cycles);
@@ -110,10 +134,15 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             "plain sums", [&] { return plain.next(); }, effort.cycles);
         rounds.add("project", [&] {
             const Watch watch(true);
-            for (PlainRows& row : rows)
-                plain_landing(row);
+            for (LandingRows& block : rows)
+                plain_landing(block, LandingRows::room, limits);
             keep(rows);
-            return watch.nanoseconds() / static_cast<double>(rows.size() * optimized::lanes);
+            return watch.nanoseconds() / static_cast<double>(rows.size() * LandingRows::room);
+        });
+        rounds.add("neighbours", [&] {
+            const Watch watch(true);
+            paired();
+            return watch.nanoseconds() / nodes;
         });
         rounds.add("search", [&] {
             const BareStep& bare = decide.bare;
@@ -126,12 +155,13 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         rounds.run(effort.repeats, effort.seconds);
         const auto median = [&](const char* name) { return rounds.of(name).p50; };
         const double step = median("sum"), deciding = median("decide") - median("transform");
-        const double searching = median("search"), projecting = median("project");
+        const double searching = median("search"), projecting = median("project"), pairing = median("neighbours");
         const auto add = [&](const char* stage, double ns, const char* how) {
             result.stages.push_back({scene.name, stage, ns, ns / step, how});
         };
         add("transform", median("transform"), "a step that stops there");
-        add("certify", deciding - searching - projecting, "deciding, less search and projection");
+        add("certify", deciding - searching - pairing - projecting, "deciding, less the next three");
+        add("neighbours", pairing, "the nodes between two sub-triangles asked again");
         add("search", searching, "the nodes without a certificate asked again");
         add("project", projecting, "the projections of the step alone");
         add("force", median("force") - median("decide"), "difference of two steps that stop early");

@@ -152,6 +152,7 @@ void SceneBench::run() {
     const double asked = std::max(1.0, static_cast<double>(after.nodes - before.nodes));
     if (after.nodes > before.nodes)
         row_.paths = {{"certified", static_cast<double>(after.certified - before.certified) / asked},
+                      {"paired", static_cast<double>(after.paired - before.paired) / asked},
                       {"quiet", static_cast<double>(after.quiet - before.quiet) / asked},
                       {"searched", static_cast<double>(after.searched - before.searched) / asked}};
     judge();
