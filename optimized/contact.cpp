@@ -111,11 +111,11 @@ Contact::~Contact() = default;
 
 ContactStep Contact::step(const Motion& motion) {
     ContactStep one;
-    step(motion, one);
+    step_into(motion, one);
     return one;
 }
 
-void Contact::step(const Motion& motion, ContactStep& step) {
+void Contact::step_into(const Motion& motion, ContactStep& step) {
     State& state = *state_;
     // All but the memory is new.
     std::vector<NodeContact> nodes = std::move(step.nodes);

@@ -34,8 +34,7 @@ class Contact final : public ContactMethod {
     ~Contact() override;
 
     ContactStep step(const Motion& motion) override;
-    /// The same into a step of before, whose memory is used again.
-    void step(const Motion& motion, ContactStep& step);
+    void step_into(const Motion& motion, ContactStep& into) override;
     /// The same cycle without the per-node report. Lists of released and inverted nodes, heat and adaptive data are in
     /// the full step only; a scene that asks for one of them is refused.
     /// @throws std::logic_error then

@@ -31,6 +31,8 @@ class ContactMethod {
   public:
     virtual ~ContactMethod() = default;
     virtual ContactStep step(const Motion& motion) = 0;
+    /// The same into a step of an earlier cycle, whose memory may be used again.
+    virtual void step_into(const Motion& motion, ContactStep& into) { into = step(motion); }
     /// The nodes that penetrate at time 0 with the nodes at `position` (indexed like Model::nodes); nothing is
     /// remembered.
     /// @page field Inacti; comment 8; departure D31

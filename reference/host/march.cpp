@@ -182,13 +182,14 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
             state.thickness.push_back(shell.thickness);
     }
 
+    // Two states and the steps take turns: no cycle asks for memory of their size.
+    HostState next = state;
+    std::vector<ContactStep> steps(contacts.size());
     while (state.time <= model.engine.end_time) {
         state.impose_temperatures(model);
         const Motion motion = state.motion(model);
-        std::vector<ContactStep> steps;
-        steps.reserve(contacts.size());
-        for (const auto& contact : contacts)
-            steps.push_back(contact->step(motion));
+        for (size_t i = 0; i < contacts.size(); ++i)
+            contacts[i]->step_into(motion, steps[i]);
         check_finite(model, state, steps);
         const double step = time_step.next(state, steps);
         check_step(model, state, step);
@@ -200,7 +201,7 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
 
         // The record of cycle n holds x_n and v_{n-1/2}, but reactions including cycle n: they are known once it has
         // moved on.
-        HostState next = state;
+        next = state;
         release(model, steps, next);
         advance(model, forces_of(model, state, steps), step, next);
         heat_nodes(model, steps, shell_conduction(model, state, state.step), next);
@@ -224,7 +225,7 @@ void march(const Scene& scene, const MakeContact& make_contact, const Observer& 
         record.last = next.time > model.engine.end_time;
         observe(record);
         check_normals(model, state, steps);
-        state = std::move(next);
+        std::swap(state, next);
     }
     if (state.cycle > 0) check_finite(model, state, {});
 }

@@ -58,7 +58,7 @@ int main(int count, char** argument) {
             const Motion motion = bowl.motion(c);
             const Watch from(threads == 1);
             if (c % 10 == 9) {
-                contact.step(motion, step);
+                contact.step_into(motion, step);
                 whole.push_back(from.nanoseconds() / nodes);
             } else {
                 contact.step_lean(motion);
