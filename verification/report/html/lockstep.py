@@ -38,12 +38,10 @@ def note(found, runs):
     total = found["all"]
     text = (f"{words.plural(total['decisions'], 'decision')} of {words.plural(len(runs), 'run')} and {words.number(total['cycles'])} cycles were compared, "
             + ("none differs" if not total["different"] else f"{total['different']} DIFFER"))
-    judged = [run for run in runs if not run["exception"]]
-    worst = max(judged, key=largest, default=None)
+    worst = max(runs, key=largest, default=None)
     if worst is not None:
         text += f"; no number is further apart than {largest(worst):.3g} ulps ({worst['name']}), {found['ulps_allowed']:g} are allowed"
-    excepted = len(runs) - len(judged)
-    return text + (f". In {words.plural(excepted, 'run')} the forces are not judged, and it is said why." if excepted else ".")
+    return text + "."
 
 
 def section(found, store):
