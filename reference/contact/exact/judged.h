@@ -48,11 +48,12 @@ struct Judged {
     int side = 0;
     double kappa_low = 0;
     double kappa_high = 0;
+    bool double_will_do = false;  ///< its magnitudes are known to be good in double (magnitudes.h)
 };
 
 template <class Number>
 Judged judged(const Impact<Number>& impact, double kappa_low, double kappa_high) {
-    return {impact.kind, impact.segment, impact.triangle, impact.side, kappa_low, kappa_high};
+    return {impact.kind, impact.segment, impact.triangle, impact.side, kappa_low, kappa_high, false};
 }
 
 /// By doubles with a bound of their error. Nothing where the bound cannot tell.

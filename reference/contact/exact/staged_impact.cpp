@@ -7,6 +7,7 @@
 #include "reference/contact/exact/bounded.h"
 #include "reference/contact/exact/fraction.h"
 #include "reference/contact/exact/judged.h"
+#include "reference/contact/exact/magnitudes.h"
 
 namespace type21::reference {
 
@@ -88,12 +89,15 @@ StagedImpact result(const Judged& best, Stage stage, const Projection<double>& p
     return {best.kind, best.segment, best.triangle, best.side, stage, projection};
 }
 
-/// Magnitudes are those of double arithmetic; where rounding makes it reject, the exact ones are rounded.
+/// Magnitudes are those of double arithmetic; where it rejects or the bounds of its errors are too wide, the exact ones
+/// are rounded.
 Projection<double> magnitudes(const DecisionInput& input, const Judged& best, Stages& stages) {
     if (best.kind == Kind::none) return {};
-    const auto triangle = sub_triangle(input.shape_of(best.segment), best.triangle);
-    const auto projection = project(input.point, triangle, input.limits);
-    if (projection) return *projection;
+    const SegmentShape<double> shape = input.shape_of(best.segment);
+    if (best.double_will_do || close_enough(input, shape, best.triangle)) {
+        const auto projection = project(input.point, sub_triangle(shape, best.triangle), input.limits);
+        if (projection) return *projection;
+    }
     return rounded(stages.exact(best.segment, best.triangle).projection);
 }
 
@@ -117,7 +121,10 @@ std::optional<Judged> judged_by_bound(const DecisionInput& input, const SegmentS
     try {
         const auto impact = impact_in<Bounded>(input, shape, segment, k);
         const Bounded& kappa = impact.kappa;
-        return judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
+        Judged answer = judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
+        if (answer.kind != Kind::none)
+            answer.double_will_do = close_enough(impact.projection, largest_length(input.point, shape));
+        return answer;
     } catch (const Undecided&) {
         return std::nullopt;
     }

@@ -22,7 +22,7 @@ struct DecisionInput {
     bool one_race = false;  ///< D11
 };
 
-/// The decision is exact, the magnitudes are doubles.
+/// The decision is exact, the magnitudes are doubles close to the exact ones (magnitudes.h).
 struct StagedImpact {
     Kind kind = Kind::none;
     int segment = -1;

@@ -48,6 +48,22 @@ TEST(Methods, FloatAndDoubleGetSomeWrongOnTheAdversarialSceneAndExactOnesNone) {
     }
 }
 
+// In units in the last place of what enters. Both let a double be where the bound of its error says at most some
+// thousand of them, and a bound is more than ten times the error: a force is as good as its data. Plain doubles are
+// percents off where normals meet, and anywhere where they decide wrongly.
+TEST(Methods, ImplementationsAreWithinRoundingOfTheExactForceOnTheAdversarialScene) {
+    const Bench bench("adversarial", 2 * count);
+    const auto methods = arithmetic_methods(bench.asked);
+    EXPECT_GT(bench.of(named(methods, "double")).force.scaled(1), 1e9) << "the questions are easy";
+    int implementations = 0;
+    for (const Method& method : methods) {
+        if (method.implementation.empty()) continue;
+        EXPECT_LT(bench.of(method).force.scaled(1), 64) << method.implementation;
+        ++implementations;
+    }
+    EXPECT_EQ(implementations, 2);
+}
+
 TEST(Methods, DoubleIsWrongWhereMeshesLieOnEachOther) {
     const Bench bench("mesh_flat", 300);
     const auto methods = arithmetic_methods(bench.asked);
