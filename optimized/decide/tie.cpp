@@ -161,6 +161,11 @@ bool over_diagonal(const V3& p, const SegmentData& s, size_t j) {
     return in_one_plane(along, normal, way(s.node[j], p)) && in_one_plane(along, normal, sum_of(s.normal));
 }
 
+bool over_edge(const V3& p, const SegmentData& s, int i, int j) {
+    const auto v = static_cast<size_t>(i), w = static_cast<size_t>(j);
+    return over(p, s.node[v], s.normal[v], s.node[w], s.normal[w]);
+}
+
 /// The pieces k and k + 1 of a quad, k; 0: they are no such pieces.
 int first_of_neighbours(int one, int other) {
     const int k = std::min(one, other), next = std::max(one, other);
@@ -267,9 +272,12 @@ bool above_corner(const V3& p, const SegmentData& segment, int k, int corner) {
     return above(p, segment.node[j], segment.normal[j]);
 }
 
-bool over_edge(const V3& p, const SegmentData& segment, int i, int j) {
-    const auto v = static_cast<size_t>(i), w = static_cast<size_t>(j);
-    return over(p, segment.node[v], segment.normal[v], segment.node[w], segment.normal[w]);
+bool over_side(const V3& p, const SegmentData& segment, int k, int corner) {
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    const std::array<int, 3> node{2, corners.b, corners.c};
+    const int i = node[static_cast<size_t>((corner + 1) % 3)], j = node[static_cast<size_t>((corner + 2) % 3)];
+    if (corner == 0 || segment.triangle) return over_edge(p, segment, i, j);
+    return over_diagonal(p, segment, static_cast<size_t>(corner == 1 ? corners.c : corners.b));
 }
 
 bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,

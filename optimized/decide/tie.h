@@ -42,7 +42,7 @@ bool tied(const V3& p, std::span<const Contender> contenders, std::span<const Se
 /// Proven: P lies exactly above a corner. @param corner  0: A, 1: B, 2: C of sub-triangle k
 bool above_corner(const V3& p, const SegmentData& segment, int k, int corner);
 
-/// Proven: P, the edge and the normals at its ends lie in one plane. @param i, j  nodes of the segment
-bool over_edge(const V3& p, const SegmentData& segment, int i, int j);
+/// Proven: P, the side opposite to that corner and the normals at its ends lie in one plane.
+bool over_side(const V3& p, const SegmentData& segment, int k, int corner);
 
 }  // namespace type21::optimized
