@@ -28,12 +28,32 @@ void Decider::add(int rank, int piece, const FilterResult& result) {
         if (!beats(one, list_[i])) list_[kept++] = list_[i];
     count_ = kept;
     std::erase_if(more_, [&](const Contender& other) { return beats(one, other); });
-    if (count_ == 0) best_ = landing;
+    if (count_ == 0) {
+        best_ = landing;
+        best_place_ = place(rank, piece);
+    }
     if (count_ < room) {
         list_[count_++] = one;
     } else {
         more_.push_back(one);
     }
+}
+
+void Decider::lead(int rank, const SegmentData& segment, int piece) {
+    if (leader_.known && !leader_.corner.of(rank, segment, piece)) return;
+    Leader next{true, leader_.known, rank, piece, leader_.corner};
+    if (!leader_.known && !corner_below(p_, rank, segment, piece, next.corner)) return;
+    if (leader_.known) {
+        const auto before = [&](const Contender& one) {
+            return one.segment == leader_.segment && one.piece == leader_.piece;
+        };
+        size_t kept = 0;
+        for (size_t i = 0; i < count_; ++i)
+            if (!before(list_[i])) list_[kept++] = list_[i];
+        count_ = kept;
+        std::erase_if(more_, before);
+    }
+    leader_ = next;
 }
 
 namespace {

@@ -1,12 +1,10 @@
 #include "optimized/decide/tie.h"
 
-#include "optimized/decide/zero_sum.h"
+#include "optimized/decide/exact_vector.h"
 
 namespace type21::optimized {
 
 namespace {
-
-constexpr double alone_on_corner = 4.0 / 3;  ///< kappa
 
 bool equal(const V3& p, const V3& q) {
     return p.x == q.x && p.y == q.y && p.z == q.z;
@@ -21,116 +19,6 @@ bool parallelogram(const std::array<V3, 4>& x) {
     return true;
 }
 
-/// A vector whose components are exact sums of two doubles, where `known`.
-struct Exact {
-    std::array<double, 3> high{}, low{};
-    bool known = true;
-
-    void put(size_t i, const TwoDoubles& v) {
-        high[i] = v.high;
-        low[i] = v.low;
-        known = known && ZeroSum::ordinary(v.high) && ZeroSum::ordinary(v.low);
-    }
-};
-
-Exact exact(const V3& v) {
-    Exact e;
-    for (size_t i = 0; i < 3; ++i)
-        e.put(i, v[static_cast<int>(i)]);
-    return e;
-}
-
-/// q - p.
-Exact way(const V3& p, const V3& q) {
-    Exact e;
-    for (int i = 0; i < 3; ++i)
-        e.put(static_cast<size_t>(i), TwoDoubles::exact_sum(q[i], -p[i]));
-    return e;
-}
-
-/// The sum of four; unknown where it needs more than two doubles.
-Exact sum_of(const std::array<V3, 4>& x) {
-    Exact e;
-    for (int i = 0; i < 3; ++i) {
-        const TwoDoubles one = TwoDoubles::exact_sum(x[0][i], x[2][i]);
-        const TwoDoubles other = TwoDoubles::exact_sum(x[1][i], x[3][i]);
-        TwoDoubles high = TwoDoubles::exact_sum(one.high, other.high);
-        if (one.low != 0 || other.low != 0) {
-            const TwoDoubles low = TwoDoubles::exact_sum(one.low, other.low);
-            e.known = e.known && high.low == 0 && low.low == 0;
-            high.low = low.high;
-        }
-        e.put(static_cast<size_t>(i), high);
-    }
-    return e;
-}
-
-/// 4 p - sum: four times the way from the centre.
-Exact way_from_sum(const Exact& sum, const V3& p) {
-    Exact e;
-    for (size_t i = 0; i < 3; ++i) {
-        TwoDoubles d = TwoDoubles::exact_sum(4 * p[static_cast<int>(i)], -sum.high[i]);
-        if (sum.low[i] != 0) {
-            e.known = e.known && d.low == 0;
-            d.low = -sum.low[i];
-        }
-        e.put(i, d);
-    }
-    e.known = e.known && sum.known;
-    return e;
-}
-
-/// x = 0 is not excluded by the rounding of its terms, whose sizes sum up to `size`.
-bool may_be_zero(double x, double size) {
-    return std::abs(x) <= 1e-14 * size;
-}
-
-bool parallel(const Exact& p, const Exact& q) {
-    if (!p.known || !q.known) return false;
-    for (size_t i = 0; i < 3; ++i) {
-        const size_t j = (i + 1) % 3;
-        const double one = p.high[i] * q.high[j], other = p.high[j] * q.high[i];
-        if (!may_be_zero(one - other, std::abs(one) + std::abs(other))) return false;
-    }
-    for (size_t i = 0; i < 3; ++i) {
-        const size_t j = (i + 1) % 3;
-        ZeroSum sum;
-        for (const auto& pi : {p.high, p.low}) {
-            for (const auto& qi : {q.high, q.low}) {
-                sum.add(pi[i], qi[j]);
-                sum.add(-pi[j], qi[i]);
-            }
-        }
-        if (!sum.zero()) return false;
-    }
-    return true;
-}
-
-bool in_one_plane(const Exact& p, const Exact& q, const Exact& r) {
-    if (!p.known || !q.known || !r.known) return false;
-    double value = 0, size = 0;
-    for (size_t i = 0; i < 3; ++i) {
-        const size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        const double one = p.high[i] * q.high[j] * r.high[k], other = p.high[i] * q.high[k] * r.high[j];
-        value += one - other;
-        size += std::abs(one) + std::abs(other);
-    }
-    if (!may_be_zero(value, size)) return false;
-    ZeroSum sum;
-    for (const auto& pi : {p.high, p.low}) {
-        for (const auto& qi : {q.high, q.low}) {
-            for (const auto& ri : {r.high, r.low}) {
-                for (size_t i = 0; i < 3; ++i) {
-                    const size_t j = (i + 1) % 3, k = (i + 2) % 3;
-                    sum.add(pi[i], qi[j], ri[k]);
-                    sum.add(-pi[i], qi[k], ri[j]);
-                }
-            }
-        }
-    }
-    return sum.zero();
-}
-
 bool above(const V3& p, const V3& at, const V3& normal) {
     // Mostly the normal is along an axis, and then two coordinates say it.
     const V3 apart{p.x == at.x ? 0.0 : 1.0, p.y == at.y ? 0.0 : 1.0, p.z == at.z ? 0.0 : 1.0};
@@ -142,7 +30,7 @@ bool above(const V3& p, const V3& at, const V3& normal) {
 }
 
 bool above_centre(const V3& p, const SegmentData& s) {
-    const Exact at = sum_of(s.node);
+    const ExactVector at = sum_of(s.node);
     return at.known && parallel(way_from_sum(at, p), sum_of(s.normal));
 }
 
@@ -150,14 +38,14 @@ bool over(const V3& p, const V3& v, const V3& nv, const V3& w, const V3& nw) {
     // Often the plane is normal to an axis.
     for (int i = 0; i < 3; ++i)
         if (v[i] == w[i] && p[i] == v[i] && nv[i] == 0 && nw[i] == 0) return true;
-    const Exact along = way(v, w), normal = exact(nv);
+    const ExactVector along = way(v, w), normal = exact(nv);
     return in_one_plane(along, normal, way(v, p)) && in_one_plane(along, normal, exact(nw));
 }
 
 /// The same for the edge from the centre to node j.
 bool over_diagonal(const V3& p, const SegmentData& s, size_t j) {
-    const Exact at = sum_of(s.node);
-    const Exact along = way_from_sum(at, s.node[j]), normal = exact(s.normal[j]);
+    const ExactVector at = sum_of(s.node);
+    const ExactVector along = way_from_sum(at, s.node[j]), normal = exact(s.normal[j]);
     return in_one_plane(along, normal, way(s.node[j], p)) && in_one_plane(along, normal, sum_of(s.normal));
 }
 
@@ -180,23 +68,11 @@ class Ties {
         : p_(p), contenders_(contenders), segments_(segments), window_(window), rules_(rules) {}
 
     bool all_above_corners() const {
-        const V3 *at = nullptr, *direction = nullptr;  // the last one that the node was above
+        TieCorner last;
         for (size_t c = 0; c < contenders_.size(); ++c) {
-            const SegmentData& s = segments_[c];
-            if (c > 0 && contenders_[c].segment == contenders_[c - 1].segment && at == nullptr) continue;
-            bool found = false;
-            for (const int j : nodes(c)) {
-                if (found || j < 0) continue;
-                const V3 &x = node(s, j), &n = normal(s, j);
-                found = at != nullptr && equal(x, *at) && equal(n, *direction);
-                if (found || !above(p_, x, n)) continue;
-                at = &x;
-                direction = &n;
-                found = true;
-            }
-            if (found) continue;
-            if (s.triangle || !above_centre(p_, s)) return false;
-            at = direction = nullptr;
+            const Contender& one = contenders_[c];
+            if (c > 0 && last.of(one.segment, segments_[c], one.piece)) continue;
+            if (!corner_below(p_, one.segment, segments_[c], one.piece, last)) return false;
         }
         return true;
     }
@@ -272,6 +148,20 @@ bool above_corner(const V3& p, const SegmentData& segment, int k, int corner) {
     return above(p, segment.node[j], segment.normal[j]);
 }
 
+bool corner_below(const V3& p, int rank, const SegmentData& segment, int k, TieCorner& corner) {
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    for (const int j : {corners.b, corners.c, segment.triangle ? 2 : -1}) {
+        if (j < 0) continue;
+        const V3 &at = segment.node[static_cast<size_t>(j)], &normal = segment.normal[static_cast<size_t>(j)];
+        if (!above(p, at, normal)) continue;
+        corner = {-1, at, normal};
+        return true;
+    }
+    if (segment.triangle || !above_centre(p, segment)) return false;
+    corner = {rank, {}, {}};
+    return true;
+}
+
 bool over_side(const V3& p, const SegmentData& segment, int k, int corner) {
     const PieceCorners corners = piece_corners(segment.triangle, k);
     const std::array<int, 3> node{2, corners.b, corners.c};
@@ -285,7 +175,7 @@ bool tied(const V3& p, std::span<const Contender> contenders, std::span<const Se
     bool sure = true, at_corner = true;
     for (const Contender& one : contenders) {
         sure = sure && !one.unsure;
-        at_corner = at_corner && one.low < alone_on_corner + 1e-15 && one.high > alone_on_corner - 1e-15;
+        at_corner = at_corner && one.low < kappa_on_corner + 1e-15 && one.high > kappa_on_corner - 1e-15;
     }
     if (!sure) return false;
     const Ties ties(p, contenders, segments, window, rules);

@@ -39,6 +39,29 @@ struct Contender {
 bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
           const Window& window, const Rules& rules);
 
+constexpr double kappa_on_corner = 4.0 / 3;
+
+/// A corner below a node.
+struct TieCorner {
+    int centre_of = -1;  ///< segment of which it is the centre; -1: it is a node
+    V3 at, normal;       ///< of a node
+
+    bool of(int rank, const SegmentData& s, int piece) const {
+        if (centre_of >= 0) return rank == centre_of;
+        const PieceCorners k = piece_corners(s.triangle, piece);
+        return is(s, k.b) || is(s, k.c) || (s.triangle && is(s, 2));
+    }
+
+  private:
+    bool is(const SegmentData& s, int j) const {
+        const V3 &x = s.node[static_cast<size_t>(j)], &n = s.normal[static_cast<size_t>(j)];
+        return x.x == at.x && x.y == at.y && x.z == at.z && n.x == normal.x && n.y == normal.y && n.z == normal.z;
+    }
+};
+
+/// Proven: P lies exactly above a corner of sub-triangle k, which is filled.
+bool corner_below(const V3& p, int rank, const SegmentData& segment, int k, TieCorner& corner);
+
 /// Proven: P lies exactly above a corner. @param corner  0: A, 1: B, 2: C of sub-triangle k
 bool above_corner(const V3& p, const SegmentData& segment, int k, int corner);
 

@@ -47,7 +47,8 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
 
 bool Search::over_corner(Batch& batch, int first, int i) const {
     const LandingRows& rows = batch.rows;
-    if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
+    // With D35 one that leans has the corner and takes the node elsewhere.
+    if (reach_box_.on || limits_.lift_leaning || rows.core[i] >= double(beyond_foreseen)) return false;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int corner = w[0] > w[1] ? (w[0] > w[2] ? 0 : 2) : (w[1] > w[2] ? 1 : 2);
     if (!(w[corner] >= (1 - pair_share) * rows.total[i])) return false;
