@@ -28,7 +28,7 @@ void Decider::add(int rank, int piece, const FilterResult& result) {
         if (!beats(one, list_[i])) list_[kept++] = list_[i];
     count_ = kept;
     std::erase_if(more_, [&](const Contender& other) { return beats(one, other); });
-    if (count_ == 0) {
+    if (count_ == 0 || place(rank, piece) < best_place_) {
         best_ = landing;
         best_place_ = place(rank, piece);
     }
@@ -144,6 +144,9 @@ Retained Decider::settle(std::span<const Contender> contenders, std::span<const 
         first = first_in_whole(p_, contenders, segments, window_, rules_);
     }
     if (first == nobody) return {};
+    if (settled == Settled::tie && best_.side != 0 &&
+        place(contenders[first].segment, contenders[first].piece) == best_place_)
+        return {contenders[first].segment, contenders[first].piece, best_, settled};
     return {contenders[first].segment, contenders[first].piece,
             magnitudes(p_, segments[first], contenders[first].piece, window_, rules_), settled};
 }

@@ -120,9 +120,9 @@ class Decider {
     size_t count_ = 0;
     std::array<Contender, room> list_;
     Leader leader_;
-    std::vector<Contender> more_;   ///< beyond the room: so many are rare
-    Landing best_;                  ///< of the last one that was alone
-    std::int64_t best_place_ = -1;  ///< which one that was
+    std::vector<Contender> more_;  ///< beyond the room: so many are rare
+    Landing best_;                 ///< of the one at best_place_: the last that was alone, or a lower one after it
+    std::int64_t best_place_ = -1;
 };
 
 }  // namespace type21::optimized
