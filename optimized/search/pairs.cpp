@@ -51,7 +51,7 @@ bool Search::over_corner(Batch& batch, int first, int i) const {
     if (reach_box_.on || limits_.lift_leaning || rows.core[i] >= double(beyond_foreseen)) return false;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int corner = w[0] > w[1] ? (w[0] > w[2] ? 0 : 2) : (w[1] > w[2] ? 1 : 2);
-    if (!(w[corner] >= (1 - pair_share) * rows.total[i])) return false;
+    if (!(w[corner] >= 1 - pair_share)) return false;
     const int at = first + i, own = batch.memory[at]->place;
     const unsigned leads = leads_[static_cast<size_t>(own)].load(std::memory_order_relaxed);
     if ((leads >> corner & 1U) == 0 || standing(rows, i, batch.depth, own) != Standing::taken) return false;
