@@ -28,12 +28,32 @@ void Decider::add(int rank, int piece, const FilterResult& result) {
         if (!beats(one, list_[i])) list_[kept++] = list_[i];
     count_ = kept;
     std::erase_if(more_, [&](const Contender& other) { return beats(one, other); });
-    if (count_ == 0) best_ = landing;
+    if (count_ == 0 || place(rank, piece) < best_place_) {
+        best_ = landing;
+        best_place_ = place(rank, piece);
+    }
     if (count_ < room) {
         list_[count_++] = one;
     } else {
         more_.push_back(one);
     }
+}
+
+void Decider::lead(int rank, const SegmentData& segment, int piece) {
+    if (leader_.known && !leader_.corner.of(rank, segment, piece)) return;
+    Leader next{true, leader_.known, rank, piece, leader_.corner};
+    if (!leader_.known && !corner_below(p_, rank, segment, piece, next.corner)) return;
+    if (leader_.known) {
+        const auto before = [&](const Contender& one) {
+            return one.segment == leader_.segment && one.piece == leader_.piece;
+        };
+        size_t kept = 0;
+        for (size_t i = 0; i < count_; ++i)
+            if (!before(list_[i])) list_[kept++] = list_[i];
+        count_ = kept;
+        std::erase_if(more_, before);
+    }
+    leader_ = next;
 }
 
 namespace {
@@ -124,6 +144,9 @@ Retained Decider::settle(std::span<const Contender> contenders, std::span<const 
         first = first_in_whole(p_, contenders, segments, window_, rules_);
     }
     if (first == nobody) return {};
+    if (settled == Settled::tie && best_.side != 0 &&
+        place(contenders[first].segment, contenders[first].piece) == best_place_)
+        return {contenders[first].segment, contenders[first].piece, best_, settled};
     return {contenders[first].segment, contenders[first].piece,
             magnitudes(p_, segments[first], contenders[first].piece, window_, rules_), settled};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "optimized/decide/exact.h"
@@ -42,8 +43,14 @@ class Decider {
     /// Lets every sub-triangle of a segment compete.
     void add(int rank, const SegmentData& segment) {
         const LocalSegment local = local_segment(segment);
-        for (int k = 1; k <= segment.pieces(); ++k)
-            add(rank, k, filter(p_, segment, local, k, window_, rules_));
+        for (int k = 1; k <= segment.pieces(); ++k) {
+            if (leader_.known && follows(rank, segment, k)) continue;
+            const FilterResult result = filter(p_, segment, local, k, window_, rules_);
+            if (result.verdict == Verdict::taken && result.landing.kind == Kind::contact && alone_on_corner(result) &&
+                !rules_.lift_leaning)
+                lead(rank, segment, k);
+            add(rank, k, result);
+        }
     }
     void add(int rank, int piece, const FilterResult& result);
 
@@ -51,8 +58,9 @@ class Decider {
     template <class SegmentOf>
     Retained retained(const SegmentOf& segment_of) const {
         if (count_ == 0 && more_.empty()) return {};
-        if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0) {
-            return {list_[0].segment, list_[0].piece, best_, Settled::filter};
+        if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0 &&
+            place(list_[0].segment, list_[0].piece) == best_place_) {
+            return {list_[0].segment, list_[0].piece, best_, leader_.followed ? Settled::tie : Settled::filter};
         }
         if (more_.empty()) {
             std::array<SegmentData, room> segments;
@@ -79,6 +87,28 @@ class Decider {
         for (const Contender& one : more_)
             f(one);
     }
+    /// The lowest so far of those that take the node as contact from exactly above one corner. All that have this
+    /// corner are tied with it (tie.h) or do not take the node, so that those with a higher number need not be asked.
+    /// Not with D35, where one that leans takes the node elsewhere.
+    struct Leader {
+        bool known = false, followed = false;
+        int segment = -1, piece = 0;
+        TieCorner corner;
+    };
+    static std::int64_t place(int segment, int piece) { return std::int64_t{segment} * 4 + piece; }
+    static bool alone_on_corner(const FilterResult& result) {
+        return std::abs(result.landing.kappa - kappa_on_corner) <= result.landing.kappa_bound + 1e-15;
+    }
+    /// Has it the leader's corner, and a higher number?
+    bool follows(int rank, const SegmentData& segment, int piece) {
+        const bool lower = rank < leader_.segment || (rank == leader_.segment && piece < leader_.piece);
+        if (lower || !leader_.corner.of(rank, segment, piece)) return false;
+        leader_.followed = true;
+        return true;
+    }
+    /// Makes it the leader if the node is exactly above one of its corners; the one before it is let go.
+    void lead(int rank, const SegmentData& segment, int piece);
+
     /// Proven: one is retained rather than other.
     bool beats(const Contender& one, const Contender& other) const;
     /// More than the filter is needed: a proven tie, 100 bits, whole numbers, in this order.
@@ -89,8 +119,10 @@ class Decider {
     Rules rules_;
     size_t count_ = 0;
     std::array<Contender, room> list_;
+    Leader leader_;
     std::vector<Contender> more_;  ///< beyond the room: so many are rare
-    Landing best_;                 ///< of list_[0] while it is alone
+    Landing best_;                 ///< of the one at best_place_: the last that was alone, or a lower one after it
+    std::int64_t best_place_ = -1;
 };
 
 }  // namespace type21::optimized

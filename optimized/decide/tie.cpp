@@ -1,5 +1,7 @@
 #include "optimized/decide/tie.h"
 
+#include "optimized/decide/exact_vector.h"
+
 namespace type21::optimized {
 
 namespace {
@@ -8,130 +10,176 @@ bool equal(const V3& p, const V3& q) {
     return p.x == q.x && p.y == q.y && p.z == q.z;
 }
 
-/// p x = q y exactly.
-bool same_product(double p, double x, double q, double y) {
-    const TwoDoubles one = TwoDoubles::exact_product(p, x), other = TwoDoubles::exact_product(q, y);
-    return one.high == other.high && one.low == other.low;
-}
-
-/// In this range products of two numbers and their low parts neither overflow nor underflow.
-bool ordinary(const V3& v) {
-    const auto good = [](double x) { return x == 0 || (std::abs(x) > 1e-100 && std::abs(x) < 1e100); };
-    return good(v.x) && good(v.y) && good(v.z);
-}
-
-/// A corner with its normal.
-struct Corner {
-    V3 at, normal;
-    bool is(const Corner& other) const { return equal(at, other.at) && equal(normal, other.normal); }
-};
-
-/// Corners of a piece that are nodes of the mesh: B and C, of a triangle A too.
-struct Corners {
-    Corner corner[3];
-    int count = 0;
-    bool hold(const Corner& one) const {
-        for (int i = 0; i < count; ++i)
-            if (corner[i].is(one)) return true;
-        return false;
-    }
-};
-
-Corners corners_of(const SegmentData& s, int piece) {
-    const PieceCorners k = piece_corners(s.triangle, piece);
-    Corners corners;
-    const auto put = [&](int j) {
-        corners.corner[corners.count++] = {s.node[static_cast<size_t>(j)], s.normal[static_cast<size_t>(j)]};
-    };
-    put(k.b);
-    put(k.c);
-    if (s.triangle) put(2);
-    return corners;
-}
-
-/// P - V is parallel to n_V; proven only where the difference is exact.
-bool above(const V3& p, const Corner& v) {
-    const auto difference = [](double x, double y) { return TwoDoubles::exact_sum(x, -y); };
-    const TwoDoubles x = difference(p.x, v.at.x), y = difference(p.y, v.at.y), z = difference(p.z, v.at.z);
-    if (x.low != 0 || y.low != 0 || z.low != 0) return false;
-    const V3 d{x.high, y.high, z.high};
-    const V3& n = v.normal;
-    return ordinary(d) && ordinary(n) && same_product(d.x, n.y, d.y, n.x) && same_product(d.y, n.z, d.z, n.y) &&
-           same_product(d.z, n.x, d.x, n.z);
-}
-
-/// Does every node of the segment but those two lie strictly on one side of x_i = level?
-bool third_off(const SegmentData& s, const Corner& v, const Corner& w, int i) {
-    const double level = v.at[i];
-    int above = 0, below = 0;
-    for (size_t j = 0; j < (s.triangle ? 3 : 4); ++j) {
-        if (equal(s.node[j], v.at) || equal(s.node[j], w.at)) continue;
-        above += s.node[j][i] > level;
-        below += s.node[j][i] < level;
-    }
-    return (above > 0) != (below > 0);
-}
-
-/// The first axis >= from across which the edge, its normals and P do not extend; 3: none.
-int edge_axis(const V3& p, const Corner& v, const Corner& w, int from) {
-    for (int i = from; i < 3; ++i)
-        if (v.at[i] == w.at[i] && p[i] == v.at[i] && v.normal[i] == 0 && w.normal[i] == 0) return i;
-    return 3;
-}
-
-bool exact_parallelogram(const SegmentData& s) {
+bool parallelogram(const std::array<V3, 4>& x) {
     for (int i = 0; i < 3; ++i) {
-        const TwoDoubles one = TwoDoubles::exact_sum(s.node[0][i], s.node[2][i]);
-        const TwoDoubles other = TwoDoubles::exact_sum(s.node[1][i], s.node[3][i]);
+        const TwoDoubles one = TwoDoubles::exact_sum(x[0][i], x[2][i]);
+        const TwoDoubles other = TwoDoubles::exact_sum(x[1][i], x[3][i]);
         if (one.high != other.high || one.low != other.low) return false;
     }
-    return equal(s.normal[0], s.normal[1]) && equal(s.normal[0], s.normal[2]) && equal(s.normal[0], s.normal[3]);
+    return true;
 }
 
-}  // namespace
-
-bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-          const Window& window, const Rules& rules) {
-    for (const Contender& one : contenders)
-        if (one.unsure) return false;
-    const auto all_hold = [&](const Corner& v) {
-        for (size_t c = 1; c < contenders.size(); ++c)
-            if (!corners_of(segments[c], contenders[c].piece).hold(v)) return false;
-        return true;
-    };
-    const Corners first = corners_of(segments[0], contenders[0].piece);
-    bool shared[3] = {};
-    for (int i = 0; i < first.count; ++i) {
-        shared[i] = all_hold(first.corner[i]);
-        if (shared[i] && above(p, first.corner[i])) return true;
+bool above(const V3& p, const V3& at, const V3& normal) {
+    // Mostly the normal is along an axis, and then two coordinates say it.
+    const V3 apart{p.x == at.x ? 0.0 : 1.0, p.y == at.y ? 0.0 : 1.0, p.z == at.z ? 0.0 : 1.0};
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (normal[j] == 0 && normal[k] == 0) return apart[j] == 0 && apart[k] == 0;
     }
-    for (int i = 0; i < first.count; ++i) {
-        for (int j = i + 1; j < first.count; ++j) {
-            if (!shared[i] || !shared[j]) continue;
-            const Corner &v = first.corner[i], &w = first.corner[j];
-            if (equal(v.at, w.at)) continue;
-            for (int axis = edge_axis(p, v, w, 0); axis < 3; axis = edge_axis(p, v, w, axis + 1)) {
-                bool off = true;
-                for (const SegmentData& s : segments)
-                    off = off && third_off(s, v, w, axis);
-                if (off) return true;
+    return parallel(way(at, p), exact(normal));
+}
+
+bool above_centre(const V3& p, const SegmentData& s) {
+    const ExactVector at = sum_of(s.node);
+    return at.known && parallel(way_from_sum(at, p), sum_of(s.normal));
+}
+
+bool over(const V3& p, const V3& v, const V3& nv, const V3& w, const V3& nw) {
+    // Often the plane is normal to an axis.
+    for (int i = 0; i < 3; ++i)
+        if (v[i] == w[i] && p[i] == v[i] && nv[i] == 0 && nw[i] == 0) return true;
+    const ExactVector along = way(v, w), normal = exact(nv);
+    return in_one_plane(along, normal, way(v, p)) && in_one_plane(along, normal, exact(nw));
+}
+
+/// The same for the edge from the centre to node j.
+bool over_diagonal(const V3& p, const SegmentData& s, size_t j) {
+    const ExactVector at = sum_of(s.node);
+    const ExactVector along = way_from_sum(at, s.node[j]), normal = exact(s.normal[j]);
+    return in_one_plane(along, normal, way(s.node[j], p)) && in_one_plane(along, normal, sum_of(s.normal));
+}
+
+bool over_edge(const V3& p, const SegmentData& s, int i, int j) {
+    const auto v = static_cast<size_t>(i), w = static_cast<size_t>(j);
+    return over(p, s.node[v], s.normal[v], s.node[w], s.normal[w]);
+}
+
+/// The pieces k and k + 1 of a quad, k; 0: they are no such pieces.
+int first_of_neighbours(int one, int other) {
+    const int k = std::min(one, other), next = std::max(one, other);
+    if (k == 1 && next == 4) return 4;
+    return next == k + 1 ? k : 0;
+}
+
+class Ties {
+  public:
+    Ties(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
+         const Window& window, const Rules& rules)
+        : p_(p), contenders_(contenders), segments_(segments), window_(window), rules_(rules) {}
+
+    bool all_above_corners() const {
+        TieCorner last;
+        for (size_t c = 0; c < contenders_.size(); ++c) {
+            const Contender& one = contenders_[c];
+            if (c > 0 && last.of(one.segment, segments_[c], one.piece)) continue;
+            if (!corner_below(p_, one.segment, segments_[c], one.piece, last)) return false;
+        }
+        return true;
+    }
+
+    /// All of them in one chain of pairs.
+    bool linked() const {
+        const size_t count = contenders_.size();
+        if (count > 16) return false;
+        std::array<bool, 16> in{true};
+        std::array<size_t, 16> queue{0};
+        size_t last = 1;
+        for (size_t next = 0; next < last; ++next) {
+            for (size_t c = 1; c < count; ++c) {
+                if (in[c] || !pair(queue[next], c)) continue;
+                in[c] = true;
+                queue[last++] = c;
             }
         }
+        return last == count;
     }
-    if (contenders.size() == 2 && contenders[0].segment == contenders[1].segment && !segments[0].triangle) {
-        int k = std::min(contenders[0].piece, contenders[1].piece);
-        const int other = std::max(contenders[0].piece, contenders[1].piece);
-        if (k == 1 && other == 4) {
-            k = 4;
-        } else if (other != k + 1) {
-            return false;
+
+  private:
+    bool pair(size_t i, size_t j) const {
+        if (contenders_[i].segment == contenders_[j].segment) return in_one_quad(i, j);
+        const SegmentData &s = segments_[i], &t = segments_[j];
+        const std::array<int, 3> own = nodes(i), its = nodes(j);
+        std::array<int, 3> shared;
+        int count = 0;
+        for (const int a : own) {
+            bool has = false;
+            for (const int b : its)
+                has = has || (a >= 0 && b >= 0 && equal(node(s, a), node(t, b)) && equal(normal(s, a), normal(t, b)));
+            if (has) shared[static_cast<size_t>(count++)] = a;
         }
-        if (!exact_parallelogram(segments[0])) return false;
-        const FilterResult landed = filter(p, segments[0], local_segment(segments[0]), k, window, rules);
+        for (int a = 0; a < count; ++a)
+            for (int b = a + 1; b < count; ++b)
+                if (over_edge(p_, s, shared[static_cast<size_t>(a)], shared[static_cast<size_t>(b)])) return true;
+        return false;
+    }
+    bool in_one_quad(size_t i, size_t j) const {
+        const SegmentData& s = segments_[i];
+        const int k = first_of_neighbours(contenders_[i].piece, contenders_[j].piece);
+        if (k == 0) return false;
+        if (over_diagonal(p_, s, static_cast<size_t>(k % 4))) return true;
+        if (!parallelogram(s.node)) return false;
+        if (!equal(s.normal[0], s.normal[1]) || !equal(s.normal[0], s.normal[2]) || !equal(s.normal[0], s.normal[3]))
+            return false;
+        const FilterResult landed = filter(p_, s, local_segment(s), k, window_, rules_);
         return landed.verdict == Verdict::taken &&
                landed.landing.c - 2.0 / 3 - std::abs(landed.landing.b) > 4 * landed.landing.weight_bound;
     }
-    return false;
+    /// Corners that are nodes, -1: none.
+    std::array<int, 3> nodes(size_t i) const {
+        const PieceCorners k = piece_corners(segments_[i].triangle, contenders_[i].piece);
+        return {k.b, k.c, segments_[i].triangle ? 2 : -1};
+    }
+    static const V3& node(const SegmentData& s, int j) { return s.node[static_cast<size_t>(j)]; }
+    static const V3& normal(const SegmentData& s, int j) { return s.normal[static_cast<size_t>(j)]; }
+
+    const V3& p_;
+    std::span<const Contender> contenders_;
+    std::span<const SegmentData> segments_;
+    const Window& window_;
+    const Rules& rules_;
+};
+
+}  // namespace
+
+bool above_corner(const V3& p, const SegmentData& segment, int k, int corner) {
+    if (corner == 0 && !segment.triangle) return above_centre(p, segment);
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    const auto j = static_cast<size_t>(corner == 0 ? 2 : (corner == 1 ? corners.b : corners.c));
+    return above(p, segment.node[j], segment.normal[j]);
+}
+
+bool corner_below(const V3& p, int rank, const SegmentData& segment, int k, TieCorner& corner) {
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    for (const int j : {corners.b, corners.c, segment.triangle ? 2 : -1}) {
+        if (j < 0) continue;
+        const V3 &at = segment.node[static_cast<size_t>(j)], &normal = segment.normal[static_cast<size_t>(j)];
+        if (!above(p, at, normal)) continue;
+        corner = {-1, at, normal};
+        return true;
+    }
+    if (segment.triangle || !above_centre(p, segment)) return false;
+    corner = {rank, {}, {}};
+    return true;
+}
+
+bool over_side(const V3& p, const SegmentData& segment, int k, int corner) {
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    const std::array<int, 3> node{2, corners.b, corners.c};
+    const int i = node[static_cast<size_t>((corner + 1) % 3)], j = node[static_cast<size_t>((corner + 2) % 3)];
+    if (corner == 0 || segment.triangle) return over_edge(p, segment, i, j);
+    return over_diagonal(p, segment, static_cast<size_t>(corner == 1 ? corners.c : corners.b));
+}
+
+bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
+          const Window& window, const Rules& rules) {
+    bool sure = true, at_corner = true;
+    for (const Contender& one : contenders) {
+        sure = sure && !one.unsure;
+        at_corner = at_corner && one.low < kappa_on_corner + 1e-15 && one.high > kappa_on_corner - 1e-15;
+    }
+    if (!sure) return false;
+    const Ties ties(p, contenders, segments, window, rules);
+    return (at_corner && ties.all_above_corners()) || ties.linked();
 }
 
 }  // namespace type21::optimized

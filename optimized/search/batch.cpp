@@ -94,7 +94,7 @@ int Search::find_part(Batch& batch, int first, int count, const Rules& rules, in
         batch.place[at] = certain > 0 ? batch.memory[at]->place : -1;
         batch.tally.certified += certain != 0;
         if (certain != 0 || batch.memory[at] == nullptr) continue;
-        if (!pair_up(batch, first, i)) open[left++] = at;
+        if (!over_corner(batch, first, i) && !pair_up(batch, first, i)) open[left++] = at;
         if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
     }
     return left;

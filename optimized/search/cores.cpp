@@ -41,6 +41,28 @@ int Search::partner(int place, int side) const {
     return place_of(segment, side == 1 ? piece % 4 + 1 : (piece + 2) % 4 + 1);
 }
 
+/// The corner of a weight as a rank of vertices; the centre of a quad as -1 - segment.
+int Search::vertex_at(int place, int i) const {
+    const int segment = segment_of(place);
+    const bool triangle = tool_.is_triangle(segment);
+    if (i == 0 && !triangle) return -1 - segment;
+    const PieceCorners k = piece_corners(triangle, piece_of(place));
+    return tool_.corner(segment)[static_cast<size_t>(i == 0 ? 2 : (i == 1 ? k.b : k.c))];
+}
+
+bool Search::has_corner(int place, int vertex) const {
+    return vertex_at(place, 0) == vertex || vertex_at(place, 1) == vertex || vertex_at(place, 2) == vertex;
+}
+
+/// Has no sub-triangle with a lower number that corner?
+bool Search::first_at(int place, int i, std::span<const int> segments) const {
+    const int vertex = vertex_at(place, i);
+    for (const int s : segments)
+        for (int k = 1; k <= (tool_.is_triangle(s) ? 1 : 4) && place_of(s, k) < place; ++k)
+            if (has_corner(place_of(s, k), vertex)) return false;
+    return true;
+}
+
 float Search::new_core(int place) const {
     find_cores(segment_of(place));
     return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
@@ -86,6 +108,13 @@ void Search::find_cores(int rank) const {
     for (size_t i = 0; i < 4; ++i)
         over_[first + i].store(over[i], std::memory_order_relaxed);
     const bool crowded = neighbours > most_neighbours;
+    // Where each sub-triangle may lead.
+    std::array<unsigned, 4> leads{};
+    for (size_t k = 0; k < pieces && !crowded; ++k) {
+        const int place = place_of(rank, static_cast<int>(k) + 1);
+        for (int i = 0; i < 3; ++i)
+            leads[k] |= static_cast<unsigned>(first_at(place, i, {near.data(), neighbours})) << i;
+    }
     for (size_t i = 0; i < neighbours && !crowded; ++i) {
         const SegmentData facing = tool_.segment(near[i]);
         for (size_t j = 0; j < static_cast<size_t>(facing.pieces()); ++j) {
@@ -100,6 +129,11 @@ void Search::find_cores(int rank) const {
                 while (beyond >= 0 && partner(place_of(rank, static_cast<int>(k) + 1), beyond) != place)
                     --beyond;
                 margins[k].keep_from(lines, beyond);
+                for (int c = 0; c < 3; ++c)
+                    if ((leads[k] >> c & 1U) != 0 &&
+                        !has_corner(place, vertex_at(place_of(rank, static_cast<int>(k) + 1), c)) &&
+                        !margins[k].apart_at(lines, c))
+                        leads[k] &= ~(1U << c);
             }
         }
     }
@@ -110,6 +144,7 @@ void Search::find_cores(int rank) const {
         if (none || !foreseen(segment, static_cast<int>(k) + 1, tool_.extent(rank), growth))
             alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
         margins_[first + k].pair.store(rounded_up(none ? 1.0 : margins[k].pair()), std::memory_order_relaxed);
+        leads_[first + k].store(static_cast<unsigned char>(leads[k]), std::memory_order_relaxed);
         margins_[first + k].alone.store(alone, std::memory_order_release);
     }
 }

@@ -79,6 +79,11 @@ PieceMargins::PieceMargins(const Prism& own) : grown_(own.grown), below_(own.mar
     }
 }
 
+/// A line may be longer than a unit vector; the slack of a point is, too.
+double PieceMargins::bound_of(const OuterLines::Line& line) const {
+    return line.bound + slack_ * (std::abs(line.direction.x) + std::abs(line.direction.y) + std::abs(line.direction.z));
+}
+
 void PieceMargins::keep_from(const OuterLines& other, int side) {
     if (grown_) return;
     std::array<double, 4> least{1, 1, 1, 1};
@@ -95,9 +100,7 @@ void PieceMargins::keep_from(const OuterLines& other, int side) {
         if (!(apart[l] > 0)) break;  // it holds the middle: no margin is enough
         apart[l] = -1;
         const OuterLines::Line& line = other.line[l];
-        // A line may be longer than a unit vector; the slack of a point is, too.
-        const double bound = line.bound + slack_ * (std::abs(line.direction.x) + std::abs(line.direction.y) +
-                                                    std::abs(line.direction.z));
+        const double bound = bound_of(line);
         std::array<Corners, 2> at;
         double lowest = HUGE_VAL;
         for (size_t h = 0; h < 2; ++h) {
@@ -120,6 +123,27 @@ void PieceMargins::keep_from(const OuterLines& other, int side) {
     }
     for (size_t q = 0; q < 4; ++q)
         margin_[q] = std::max(margin_[q], least[q]);
+}
+
+bool PieceMargins::apart_at(const OuterLines& other, int corner) const {
+    if (grown_) return false;
+    const auto i = static_cast<size_t>(corner);
+    const double rest = 1 - lead_weight + below_;
+    for (int l = 0; l < other.count; ++l) {
+        const OuterLines::Line& line = other.line[static_cast<size_t>(l)];
+        const double bound = bound_of(line);
+        double lowest = HUGE_VAL;
+        for (size_t h = 0; h < 2; ++h) {
+            const auto at = [&](size_t c) { return dot(line.direction, corner_[h][c]) - bound; };
+            const double u = at(i), v = at((i + 1) % 3), w = at((i + 2) % 3);
+            // The corners of that part.
+            lowest = std::min(lowest, (1 + 2 * below_) * u - below_ * (v + w));
+            lowest = std::min(lowest, lead_weight * u - below_ * v + rest * w);
+            lowest = std::min(lowest, lead_weight * u - below_ * w + rest * v);
+        }
+        if (lowest > 0) return true;
+    }
+    return false;
 }
 
 }  // namespace type21::optimized

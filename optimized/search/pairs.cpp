@@ -36,12 +36,31 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
     const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
     if (least < low - pair_share) return Standing::rejected;
     if (!(least > low + pair_share)) return Standing::unknown;
-    // Clipping moves the point by at most half of the weights' change, 0.0404, times an edge; an edge is at most
-    // 2 sqrt(3) times the extent.
-    const double moved = least > pair_share ? 0.0 : 0.071 * tool_.extent(segment_of(place));
+    // Clipping weights >= -w, w <= 0.01, moves the point by at most half of the weights' change, 4.04 w, times an edge;
+    // an edge is at most 2 sqrt(3) times the extent.
+    const double below = std::max(0.0, -least) + pair_share;
+    const double moved = least > pair_share ? 0.0 : 7.1 * below * tool_.extent(segment_of(place));
     const V3 n{rows.n[0][i], rows.n[1][i], rows.n[2][i]};
     const double farthest = std::abs(rows.lift[i]) * norm(n) + moved + 2 * pair_share * size;
     return farthest < (front ? rows.gap[i] : depth) ? Standing::taken : Standing::unknown;
+}
+
+bool Search::over_corner(Batch& batch, int first, int i) const {
+    const LandingRows& rows = batch.rows;
+    // With D35 one that leans has the corner and takes the node elsewhere.
+    if (reach_box_.on || limits_.lift_leaning || rows.core[i] >= double(beyond_foreseen)) return false;
+    const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
+    const int corner = w[0] > w[1] ? (w[0] > w[2] ? 0 : 2) : (w[1] > w[2] ? 1 : 2);
+    if (!(w[corner] >= 1 - pair_share)) return false;
+    const int at = first + i, own = batch.memory[at]->place;
+    const unsigned leads = leads_[static_cast<size_t>(own)].load(std::memory_order_relaxed);
+    if ((leads >> corner & 1U) == 0 || standing(rows, i, batch.depth, own) != Standing::taken) return false;
+    const V3 y{batch.y[0][at], batch.y[1][at], batch.y[2][at]};
+    if (!above_corner(y, tool_.segment(segment_of(own)), piece_of(own), corner)) return false;
+    batch.place[at] = own;
+    batch.settled[at] = Settled::tie;
+    ++batch.tally.certified;
+    return true;
 }
 
 bool Search::pair_up(Batch& batch, int first, int i) const {
@@ -57,8 +76,14 @@ bool Search::pair_up(Batch& batch, int first, int i) const {
     const int other = partner(own, side);
     if (other < 0) return false;
     fill(batch.partners, batch.pair_count, other, batch, first + i);
-    batch.pairs[batch.pair_count++] = {first + i, own, other, kappa(rows.b[i], rows.c[i])};
+    batch.pairs[batch.pair_count++] = {first + i, own, other, side, kappa(rows.b[i], rows.c[i])};
     return true;
+}
+
+bool Search::over_shared_side(const Batch& batch, const Batch::Pair& pair) const {
+    const int i = pair.column;
+    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    return over_side(y, tool_.segment(segment_of(pair.own)), piece_of(pair.own), pair.side);
 }
 
 void Search::decide_pairs(Batch& batch, const Rules& rules) const {
@@ -79,6 +104,10 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
             batch.place[pair.column] = pair.own;
         } else if (stands == Standing::taken && apart < -pair_share) {
             take(batch, pair.column, pair.other, rows, j);
+        } else if (stands == Standing::taken && over_shared_side(batch, pair)) {
+            batch.settled[pair.column] = Settled::tie;
+            batch.place[pair.column] = pair.own;
+            if (pair.other < pair.own) take(batch, pair.column, pair.other, rows, j);
         } else if (stands == Standing::taken) {
             batch.close[batch.close_count++] = pair;
         } else {

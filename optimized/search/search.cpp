@@ -37,7 +37,8 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
       reach_box_(reach_box),
       usual_clearance_(0),
       margins_(4 * static_cast<size_t>(tool.size())),
-      over_(4 * static_cast<size_t>(tool.size())) {
+      over_(4 * static_cast<size_t>(tool.size())),
+      leads_(4 * static_cast<size_t>(tool.size())) {
     const std::vector<Box> boxes = segment_boxes(tool, limits);
     double extent = 0;
     for (const Box& box : boxes)
@@ -49,7 +50,8 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
 }
 
 size_t Search::bytes() const {
-    return tree_.bytes() + margins_.capacity() * sizeof(margins_[0]) + over_.capacity() * sizeof(over_[0]);
+    return tree_.bytes() + margins_.capacity() * sizeof(margins_[0]) + over_.capacity() * sizeof(over_[0]) +
+           leads_.capacity() * sizeof(leads_[0]);
 }
 
 Retained Search::search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes) const {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "optimized/decide/decide.h"
@@ -66,6 +67,10 @@ struct ReachBoxRule {
 /// that side >= m2(T) is taken by any sub-triangle but T and E. There the two decide between them: near a side, where
 /// the 1 % by which sub-triangles overlap keeps nodes out of every core.
 ///
+/// Corners. T leads at its corner V when it has the lowest number of all that have V, and no point that T takes with a
+/// weight of V >= lead_weight is taken by any that has not. Exactly above V all that have it are tied (tie.h): if T
+/// takes the node, it is retained.
+///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
 class Search {
@@ -100,6 +105,7 @@ class Search {
         // Where it works: a part of the nodes, and pairs of all of them.
         struct Pair {
             int column, own, other;  ///< node, and places
+            int side;                ///< of own, to which the other lies over: that opposite to this weight
             double kappa;            ///< of own
         };
         LandingRows rows, partners;
@@ -139,6 +145,9 @@ class Search {
     void find_cores(int segment) const;
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;
+    int vertex_at(int place, int i) const;
+    bool has_corner(int place, int vertex) const;
+    bool first_at(int place, int i, std::span<const int> segments) const;
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
     LandingLimits landing_limits(double depth, double proximity) const;
     void fill(LandingRows& rows, int column, int place) const;
@@ -146,6 +155,10 @@ class Search {
     /// Nodes first to first + count of the batch. @param open  filled with those that are left
     /// @return how many are left
     int find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const;
+    /// Does the node in column i of the rows lie exactly above a corner where its place leads? Then it is decided.
+    bool over_corner(Batch& batch, int first, int i) const;
+    /// Proven: the two of a pair that both take the node are tied.
+    bool over_shared_side(const Batch& batch, const Batch::Pair& pair) const;
     /// Is the node in column i of the rows one of a pair? Then it is put among them.
     bool pair_up(Batch& batch, int first, int i) const;
     /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
@@ -168,6 +181,8 @@ class Search {
     /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.
     mutable std::vector<std::atomic<int>> over_;
+    /// Four for a segment, likewise: bit i where the sub-triangle leads at the corner of weight i.
+    mutable std::vector<std::atomic<unsigned char>> leads_;
 };
 
 }  // namespace type21::optimized

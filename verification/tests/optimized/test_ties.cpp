@@ -1,6 +1,7 @@
 // Nodes on vertices, edges and along the diagonals of structured meshes: the ties that are proven must be ties.
 #include <gtest/gtest.h>
 
+#include "optimized/search/search.h"
 #include "verification/tests/optimized/test_tools.h"
 
 namespace type21::optimized {
@@ -56,6 +57,81 @@ TEST(Ties, OfACylinderAreThoseOfWholeNumbers) {
     const Count count = compare(tool, 0.125, 0.25);
     EXPECT_GT(count.taken, 300);
     EXPECT_GT(count.tie, 10);
+}
+
+/// A plane of n x n quads of edge 1 that rises with x, its normals of a length that keeps them exact.
+Tool slope(int n, double rise) {
+    std::vector<V3> position;
+    std::vector<std::array<int, 4>> corner;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+            position.push_back({double(i), double(j), rise * i});
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+            corner.push_back({j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i});
+    std::vector<V3> normal(position.size(), V3{-rise, 0, 1});
+    return {position, normal, corner};
+}
+
+/// Where on a quad: its centre, a corner, the middle of an edge, half way from the centre to a corner.
+constexpr std::array<std::array<double, 2>, 4> spots{{{0.5, 0.5}, {0, 0}, {0.5, 0}, {0.25, 0.25}}};
+
+TEST(Ties, OverCentresCornersEdgesAndDiagonalsAreProven) {
+    const Window window{0.25, 0.25, 0};
+    for (const double rise : {0.0, 0.5}) {
+        const Tool tool = slope(4, rise);
+        // 0.1 keeps P - V from being a double.
+        for (const double height : {0.125, -0.125, rise == 0 ? 0.1 : 0.0625}) {
+            for (const auto& [u, v] : spots) {
+                const V3 p{1 + u - rise * height, 2 + v, rise * (1 + u) + height};
+                const Retained found = decide(tool, p, window);
+                ASSERT_GE(found.segment, 0);
+                EXPECT_EQ(found.settled, Settled::tie) << rise << " " << height << " " << u << " " << v;
+                EXPECT_TRUE(same(found, exhaustive(tool, p, window, {})));
+                // A little beside there is no tie.
+                const V3 beside{p.x, std::nextafter(p.y, 0.0), p.z};
+                EXPECT_TRUE(same(decide(tool, beside, window), exhaustive(tool, beside, window, {})));
+            }
+        }
+    }
+}
+
+TEST(Ties, AreFoundAgainWithoutTheTree) {
+    const Window window{0.25, 0.25, 0};
+    for (const double rise : {0.0, 0.5}) {
+        const Tool tool = slope(4, rise);
+        const Search search(tool, {0.25, 0.25, 0.01, false}, {});
+        for (const auto& [u, v] : spots) {
+            Memory memory;
+            for (int step = 0; step < 3; ++step) {
+                const double height = std::ldexp(0.125, -step);
+                const V3 y{1 + u - rise * height, 2 + v, rise * (1 + u) + height};
+                Search::Asked asked{y, window, &memory};
+                Search::Found found;
+                search.find(&asked, 1, {}, &found);
+                EXPECT_EQ(found.path == Path::searched, step == 0) << rise << " " << u << " " << v;
+                EXPECT_EQ(found.retained.settled, Settled::tie) << rise << " " << u << " " << v;
+                EXPECT_TRUE(same(found.retained, exhaustive(tool, y, window, {})));
+            }
+        }
+    }
+}
+
+TEST(Ties, ARememberedPlaceThatDoesNotLeadIsLeft) {
+    const Window window{0.25, 0.25, 0};
+    const Tool tool = slope(4, 0);
+    const Search search(tool, {0.25, 0.25, 0.01, false}, {});
+    for (const auto& [u, v] : spots) {
+        const V3 y{1 + u, 2 + v, 0.125};
+        for (int place = 0; place < 4 * tool.size(); ++place) {
+            Memory memory;
+            memory.place = place;
+            Search::Asked asked{y, window, &memory};
+            Search::Found found;
+            search.find(&asked, 1, {}, &found);
+            EXPECT_TRUE(same(found.retained, exhaustive(tool, y, window, {}))) << place;
+        }
+    }
 }
 
 }  // namespace
