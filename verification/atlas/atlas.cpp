@@ -126,7 +126,7 @@ nlohmann::ordered_json to_json(const AtlasEntry& entry, const std::vector<AtlasA
     json["what"] = entry.what;
     json["warnings"] = entry.warnings;
     block["note"] = entry.note;
-    json["blocks"] = {std::move(block)};
+    json["blocks"] = nlohmann::ordered_json::array({std::move(block)});
     return json;
 }
 

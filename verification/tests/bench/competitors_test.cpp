@@ -1,6 +1,7 @@
 // Those that the bench compares with give right answers where these are known.
 #include <algorithm>
 #include <cmath>
+#include <malloc.h>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,10 @@ TEST(DistanceToTriangle, IsThatOfFaceEdgeAndCorner) {
     EXPECT_DOUBLE_EQ(distance2_to_triangle({7, 4, 0}, a, b, a), 25) << "a triangle without area is its edges";
 }
 
+bool allocator_tells() {
+    return mallinfo2().uordblks > 0;
+}
+
 TEST(ClosestPoint, EachFindsTheNearest) {
     for (const BenchScene& scene : small_scenes()) {
         const SurfaceMesh mesh = mesh_of(scene);
@@ -69,7 +74,10 @@ TEST(ClosestPoint, EachFindsTheNearest) {
         }
         EXPECT_GT(within, 200) << scene.name;
         EXPECT_GT(embree->bytes(), 0U);
-        EXPECT_GT(cgal->bytes(), 0U);
+        // The allocator of the sanitizers does not tell what is in use.
+        if (allocator_tells()) {
+            EXPECT_GT(cgal->bytes(), 0U);
+        }
     }
 }
 
