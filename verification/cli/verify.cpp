@@ -50,8 +50,8 @@ int verify(const VerifyArguments& options) {
         return exit_ok;
     }
     const auto progress = [](const VerifyProgress& p) {
-        fmt::print(stderr, "[{:>3}/{}] {}/{} {}{}\n", p.done, p.of, p.case_name, p.run,
-                   p.kept ? "kept" : fmt::format("{:.2f} s", p.seconds),
+        if (p.kept) return;  // the table says how many
+        fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
                    p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
     };
     std::vector<CheckResult> results =
