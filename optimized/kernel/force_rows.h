@@ -1,6 +1,9 @@
 /// @file Normal force and friction of many nodes at once.
 #pragma once
 
+#include <cstring>
+#include <vector>
+
 #include "optimized/kernel/node_data.h"
 #include "optimized/lanes.h"
 
@@ -40,6 +43,22 @@ struct ForceRows {
     alignas(64) Row force[3];            ///< on the node; 0 where it is not closed [force]
     alignas(64) Row step_stiffness;      ///< k + C/dt1; 0 where it is not closed [force/length]
 };
+
+/// Columns are computed by whole registers.
+inline int whole_registers(int count) {
+    return (count + 7) / 8 * 8;
+}
+
+/// Some numbers of nodes into a row.
+inline void fetch(const std::vector<double>& from, int first, int count, double* to) {
+    std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
+}
+/// A vector into a column of three rows.
+template <class Vector, size_t room>
+void fetch(const Vector& from, double (*to)[room], int j) {
+    for (int a = 0; a < 3; ++a)
+        to[a][j] = from[a];
+}
 
 /// What holds for all nodes of a cycle.
 struct ForceCycle {

@@ -9,21 +9,6 @@ namespace type21::optimized {
 
 namespace {
 
-/// Columns are computed by whole registers.
-int whole_registers(int count) {
-    return (count + 7) / 8 * 8;
-}
-
-void fetch(const std::vector<double>& from, int first, int count, double* to) {
-    std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
-}
-
-template <class Vector, size_t room>
-void fetch(const Vector& from, double (*to)[room], int j) {
-    for (int a = 0; a < 3; ++a)
-        to[a][j] = from[a];
-}
-
 Vec3 column(const double (*rows)[ForceRows::room], int j) {
     return {rows[0][j], rows[1][j], rows[2][j]};
 }

@@ -41,7 +41,7 @@ void step(Stepped& one, int cycle, bool lean) {
     const double nodes = static_cast<double>(one.scene->scene().model->interfaces[0].secondary.node.size());
     ContactSums sums;
     double tool = 0;
-    const double from = thread_seconds();
+    const Watch watch(true);
     if (auto* fast = lean ? dynamic_cast<optimized::Contact*>(one.contact.get()) : nullptr) {
         const optimized::LeanStep& done = fast->step_lean(motion);
         sums = done.sums;
@@ -53,7 +53,7 @@ void step(Stepped& one, int cycle, bool lean) {
         for (const NodeContact& node : done.nodes)
             tool += node.skid;
     }
-    const double ns = 1e9 * (thread_seconds() - from) / nodes;
+    const double ns = watch.nanoseconds() / nodes;
     if (cycle >= warm_up) one.ns.push_back(ns);
     one.output = sums.norm_total + sums.tangential.norm() + sums.elastic_energy + sums.heat_to_blank + tool;
 }

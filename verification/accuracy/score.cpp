@@ -32,14 +32,14 @@ void judge(const Answer& answer, const Truth& truth, Score& score) {
 Score score(const Method& method, const std::vector<Truth>& truths, std::span<const size_t> order, double seconds) {
     Score score;
     score.settled.resize(method.stages.size());
-    const double start = thread_seconds();
+    const Watch watch(true);
     for (const size_t question : order) {
         const Answer answer = method.answer(question);
         judge(answer, truths[question], score);
         if (!score.settled.empty()) score.settled[static_cast<size_t>(answer.stage)].push_back(question);
-        if (score.decisions % 16 == 0 && thread_seconds() - start > seconds) break;
+        if (score.decisions % 16 == 0 && watch.seconds() > seconds) break;
     }
-    score.seconds = thread_seconds() - start;
+    score.seconds = watch.seconds();
     return score;
 }
 

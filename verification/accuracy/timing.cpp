@@ -1,23 +1,8 @@
 #include "verification/accuracy/timing.h"
 
-#include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace type21::accuracy {
-
-double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double percentile(std::vector<double> values, double share) {
-    const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(values.size())));
-    const size_t at = std::clamp<size_t>(rank, 1, values.size()) - 1;
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-    return values[at];
-}
 
 double error_of_median(const std::vector<double>& values) {
     if (values.size() < 2) return 0;
@@ -37,9 +22,9 @@ void interleave(std::vector<Timed>& timed, int repeats) {
         for (size_t i = 0; i < timed.size(); ++i) {
             Timed& one = timed[(i + static_cast<size_t>(repeat)) % timed.size()];
             if (one.count == 0) continue;
-            const double from = thread_seconds();
+            const Watch watch(true);
             one.pass();
-            one.ns.push_back(1e9 * (thread_seconds() - from) / static_cast<double>(one.count));
+            one.ns.push_back(watch.nanoseconds() / static_cast<double>(one.count));
         }
     }
 }

@@ -1,18 +1,13 @@
-/// @file Times in one process: a clock that others on the machine do not disturb much, and percentiles.
+/// @file Times in one process, in turn.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "verification/timing/timing.h"
+
 namespace type21::accuracy {
-
-/// Processor time of the calling thread [s]. What others compute meanwhile is not in it, but for the caches and the
-/// memory that are shared.
-double thread_seconds();
-
-/// The smallest value that at least this share of the values does not exceed. @param values  not empty
-double percentile(std::vector<double> values, double share);
 
 /// Standard error of the median, from the middle 80 % of the values: outliers do not count. 0 for less than two.
 double error_of_median(const std::vector<double>& values);

@@ -8,6 +8,7 @@
 
 namespace type21::bench {
 
+using optimized::fetch;
 using optimized::ForceRows;
 using optimized::Search;
 using optimized::Term;
@@ -43,24 +44,6 @@ BareStep::BareStep(const BenchScene& scene, bool rubbing)
     step_stiffness_.resize(n);
 }
 
-namespace {
-
-int whole_registers(int count) {
-    return (count + 7) / 8 * 8;
-}
-
-template <class Vector, size_t room>
-void put(const Vector& from, double (*to)[room], int j) {
-    for (int a = 0; a < 3; ++a)
-        to[a][j] = from[a];
-}
-
-void copy(const std::vector<double>& from, int first, int count, double* to) {
-    std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
-}
-
-}  // namespace
-
 /// Time 0 has rules of its own: the product's kernel for one node after the other knows them.
 void BareStep::at_time_zero(const optimized::Cycle& cycle) {
     const int count = static_cast<int>(nodes_.node.size());
@@ -95,10 +78,10 @@ void BareStep::run(const Motion& motion) {
         batch.count = std::min(Search::Batch::room, last - first);
         for (int j = 0; j < batch.count; ++j) {
             const auto i = static_cast<size_t>(first + j);
-            put(motion.position[static_cast<size_t>(nodes_.node[i])], batch.y, j);
+            fetch(motion.position[static_cast<size_t>(nodes_.node[i])], batch.y, j);
             batch.memory[j] = &nodes_.memory[i];
         }
-        copy(nodes_.gap, first, batch.count, batch.gap);
+        fetch(nodes_.gap, first, batch.count, batch.gap);
         to_tool_frame(batch, batch.count, shared);
         keep(batch);
         if constexpr (until == Until::transform) continue;
@@ -115,24 +98,24 @@ void BareStep::run(const Motion& motion) {
         int columns = 0;
         for (int at = 0; at < batch.count; at += ForceRows::room) {
             const int start = first + at, count = std::min(ForceRows::room, batch.count - at);
-            for (int j = 0; j < whole_registers(count); ++j)
+            for (int j = 0; j < optimized::whole_registers(count); ++j)
                 f.contact[j] = -static_cast<long long>(j < count && batch.place[at + j] >= 0 &&
                                                        batch.kind[at + j] == Kind::contact);
             for (int j = 0; j < count; ++j) {
                 const auto i = static_cast<size_t>(start + j);
                 f.first[j] = -static_cast<long long>(nodes_.cycles[i] == 0);
-                put(motion.velocity[static_cast<size_t>(nodes_.node[i])], f.velocity, j);
-                if constexpr (rubbing) put(nodes_.friction[i], f.friction, j);
+                fetch(motion.velocity[static_cast<size_t>(nodes_.node[i])], f.velocity, j);
+                if constexpr (rubbing) fetch(nodes_.friction[i], f.friction, j);
             }
-            copy(nodes_.gap, start, count, f.gap);
-            copy(nodes_.stiffness, start, count, f.stiffness);
-            copy(nodes_.offset, start, count, f.offset);
+            fetch(nodes_.gap, start, count, f.gap);
+            fetch(nodes_.stiffness, start, count, f.stiffness);
+            fetch(nodes_.offset, start, count, f.offset);
             if constexpr (rubbing) {
-                copy(nodes_.mass, start, count, f.mass);
-                copy(nodes_.stiffness, start, count, f.increment);
+                fetch(nodes_.mass, start, count, f.mass);
+                fetch(nodes_.stiffness, start, count, f.increment);
             }
             forces(shared, batch, at, f, count, terms, columns);
-            columns += whole_registers(count);
+            columns += optimized::whole_registers(count);
             std::memcpy(nodes_.offset.data() + start, f.offset, static_cast<size_t>(count) * sizeof(double));
             std::memcpy(step_stiffness_.data() + start, f.step_stiffness, static_cast<size_t>(count) * sizeof(double));
             for (int j = 0; j < count; ++j) {

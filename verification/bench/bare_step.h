@@ -10,6 +10,7 @@
 
 #include "optimized/kernel/node_data.h"
 #include "verification/bench/bench_scene.h"
+#include "verification/timing/timing.h"
 
 namespace type21::bench {
 
@@ -55,6 +56,25 @@ class BareStep {
     optimized::PathTally tally_;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();
+};
+
+/// It, cycle after cycle of its scene.
+struct BareRun {
+    BareRun(const BenchScene& scene_, bool rubbing, BareStep::Until until_ = BareStep::Until::sum,
+            BareStep::Sums sums_ = BareStep::Sums::exact)
+        : scene(scene_), until(until_), sums(sums_), bare(scene_, rubbing) {}
+    /// Times the next cycle [ns per node].
+    double next() {
+        const Motion motion = scene.motion(cycle++);
+        const Watch watch(true);
+        bare.step(motion, until, sums);
+        return watch.nanoseconds() / static_cast<double>(scene.nodes());
+    }
+    const BenchScene& scene;
+    BareStep::Until until;
+    BareStep::Sums sums;
+    BareStep bare;
+    int cycle = 0;
 };
 
 /// The interface's laws with their search, as the optimized contact makes them.

@@ -15,7 +15,7 @@ double noise(std::uint64_t a, std::uint64_t b) {
 
 BenchScene generated(const GeneratedParts& parts) {
     constexpr double thickness = 1, young = 210, density = 7.8e-6;  // [mm], [GPa], [kg/mm^3]
-    constexpr double time = bench_step_length / 0.1;                // [ms]: 100 mm/s
+    const double time = bench_step_length / parts.speed;            // of a cycle [ms]
     auto model = std::make_shared<Model>();
     model->surfaces.resize(2);
     const auto add_node = [&](const Vec3& x) {
@@ -28,12 +28,16 @@ BenchScene generated(const GeneratedParts& parts) {
     const int first = model->nodes.size();
     for (const Vec3& x : parts.tool)
         add_node(x);
-    for (const auto& corners : parts.segments) {
-        Segment segment;
-        for (size_t j = 0; j < 4; ++j)
-            segment.node[j] = first + corners[j];
-        model->surfaces[1].segments.push_back(segment);
-    }
+    const auto add_segments = [&](Surface& surface, const std::vector<std::array<int, 4>>& segments, int first_node) {
+        for (const auto& corners : segments) {
+            Segment segment;
+            for (size_t j = 0; j < 4; ++j)
+                segment.node[j] = first_node + corners[j];
+            surface.segments.push_back(segment);
+        }
+    };
+    add_segments(model->surfaces[0], parts.blank, 0);
+    add_segments(model->surfaces[1], parts.segments, first);
     RigidBody body;
     body.mass = 1;
     body.inertia = Mat3::Identity();
@@ -73,7 +77,7 @@ BenchScene generated(const GeneratedParts& parts) {
     out.scene.model = model;
     out.step_length = bench_step_length;
     auto velocity = std::make_shared<std::vector<Vec3>>(static_cast<size_t>(model->nodes.size()), Vec3::Zero());
-    out.motion = [model, velocity, way = Vec3(parts.way.normalized())](int cycle) {
+    out.motion = [model, velocity, time, way = Vec3(parts.way.normalized())](int cycle) {
         Motion motion;
         motion.time = time * cycle;
         motion.step = motion.friction_step = cycle == 0 ? 0 : time;

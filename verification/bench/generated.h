@@ -13,9 +13,11 @@ struct GeneratedParts {
     std::vector<Vec3> tool;                    ///< nodes of the tool [mm]
     std::vector<std::array<int, 4>> segments;  ///< into tool
     std::vector<Vec3> nodes;                   ///< secondary nodes [mm]
+    std::vector<std::array<int, 4>> blank;     ///< segments of the blank, into nodes; may be empty
     double edge = 1;                           ///< of the blank: its area, mass, and DEPTH's least [mm]
     double gap = 0.5;                          ///< g and DEPTH [mm]
     Vec3 way = Vec3(0, 0, -1);                 ///< direction in which the tool moves
+    double speed = 0.1;                        ///< [mm/ms]
     bool friction = true;
 };
 

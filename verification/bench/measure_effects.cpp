@@ -120,19 +120,6 @@ BenchScene changed(const BenchScene& bowl, bool rubbing, const EffectCase* with)
     return out;
 }
 
-struct BareRun {
-    BareRun(const BenchScene& scene_, bool rubbing) : scene(scene_), bare(scene_, rubbing) {}
-    const BenchScene& scene;
-    BareStep bare;
-    int cycle = 0;
-    double next() {
-        const Motion motion = scene.motion(cycle++);
-        const Watch watch(true);
-        bare.step(motion);
-        return watch.nanoseconds() / static_cast<double>(scene.nodes());
-    }
-};
-
 }  // namespace
 
 void measure_effects(const BenchOptions& options, BenchResult& result) {

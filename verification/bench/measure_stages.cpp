@@ -15,23 +15,6 @@ namespace {
 
 using optimized::LandingRows;
 
-/// A step by hand that remembers its cycle.
-struct BareRun {
-    BareRun(const BenchScene& scene_, BareStep::Until until_, BareStep::Sums sums_)
-        : scene(scene_), until(until_), sums(sums_), bare(scene_, true) {}
-    double next() {
-        const Motion motion = scene.motion(cycle++);
-        const Watch watch(true);
-        bare.step(motion, until, sums);
-        return watch.nanoseconds() / static_cast<double>(scene.nodes());
-    }
-    const BenchScene& scene;
-    BareStep::Until until;
-    BareStep::Sums sums;
-    BareStep bare;
-    int cycle = 0;
-};
-
 /// The projections of as many nodes, on the segment and place of each, all of them in a core.
 std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
     std::vector<LandingRows> blocks(std::max<size_t>(count / LandingRows::room, 1));
@@ -108,12 +91,11 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
     const Effort effort(options.quick);
     tbb::task_arena one(1);
     one.execute([&] {
-        BareRun transform(scene, Until::transform, Sums::exact), decide(scene, Until::decide, Sums::exact),
-            force(scene, Until::force, Sums::exact), sum(scene, Until::sum, Sums::exact),
-            plain(scene, Until::sum, Sums::plain);
+        BareRun transform(scene, true, Until::transform), decide(scene, true, Until::decide),
+            force(scene, true, Until::force), sum(scene, true), plain(scene, true, Until::sum, Sums::plain);
         ContactRun product(scene);
         Rounds rounds;
-        decide.next();
+        decide.next();  // time 0, which has no stages
         decide.next();
         std::vector<LandingRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
         const optimized::Limits& reach = decide.bare.search().limits();

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "verification/bench/bowl_scene.h"
 #include "verification/bench/generated.h"
 
 namespace type21::bench {
@@ -16,6 +16,26 @@ namespace {
 double step_of(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * t * (t * (6 * t - 15) + 10);
+}
+
+/// The nodes of a square of n quads a side with its middle at 0, row by row.
+template <class Put>
+void for_grid(int n, double size, const Put& put) {
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i)
+            put(size * (double(i) / n - 0.5), size * (double(j) / n - 0.5));
+}
+
+/// Its quads, which look up.
+std::vector<std::array<int, 4>> quads(int n) {
+    std::vector<std::array<int, 4>> all;
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            const int a = j * (n + 1) + i;
+            all.push_back({a, a + 1, a + n + 2, a + n + 1});
+        }
+    }
+    return all;
 }
 
 constexpr double length = 2000, width = 1400;  // [mm]
@@ -41,14 +61,21 @@ size_t BenchScene::sub_triangles() const {
 }
 
 BenchScene bowl_bench(int blank, int tool) {
-    BenchScene out;
-    auto bowl = std::make_shared<BowlScene>(blank, tool, true);
+    constexpr double blank_size = 110, tool_size = 120;  // [mm]
+    GeneratedParts parts;
+    parts.edge = blank_size / blank;
+    parts.way = Vec3(1, 0, -1);
+    parts.speed = 0.1 * std::numbers::sqrt2;  // 100 mm/s in x and in -z
+    for_grid(blank, blank_size, [&](double x, double y) { parts.nodes.emplace_back(x, y, 0.0); });
+    for_grid(tool, tool_size,
+             [&](double x, double y) { parts.tool.emplace_back(x, y, 0.3 + (x * x + y * y) / 40000); });
+    parts.blank = quads(blank);
+    parts.segments = quads(tool);
+    for (auto& corner : parts.segments)
+        std::swap(corner[1], corner[3]);  // it looks down on the blank
+    BenchScene out = generated(parts);
     out.name = "bowl";
     out.title = "a flat blank in full contact with a bowl that slides over it";
-    out.kind = "common";
-    out.scene = bowl->scene;
-    out.step_length = bench_step_length;
-    out.motion = [bowl](int cycle) { return bowl->motion(cycle); };
     return out;
 }
 
@@ -107,12 +134,7 @@ BenchScene ties_bench(int n) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             parts.tool.emplace_back(8.0 * i, 8.0 * j, 0.0);
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            const int a = j * (n + 1) + i;
-            parts.segments.push_back({a, a + 1, a + n + 2, a + n + 1});
-        }
-    }
+    parts.segments = quads(n);
     for (int j = 1; j < 2 * n; ++j)
         for (int i = 1; i < 2 * n; ++i)
             parts.nodes.emplace_back(4.0 * i, 4.0 * j, 0.25);

@@ -1,19 +1,13 @@
 #include "verification/bench/timing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace type21::bench {
 
-Spread spread(std::vector<double> times) {
+Spread spread(const std::vector<double>& times) {
     if (times.empty()) throw std::invalid_argument("bench: quantiles of no repeats");
-    std::sort(times.begin(), times.end());
-    const auto quantile = [&](double share) {
-        const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(times.size())));
-        return times[std::min(times.size(), std::max<size_t>(rank, 1)) - 1];
-    };
-    return {quantile(0.5), quantile(0.95), times.back(), times.front()};
+    return {percentile(times, 0.5), percentile(times, 0.95), percentile(times, 1), percentile(times, 0)};
 }
 
 void Rounds::add(std::string name, std::function<double()> run, int times) {

@@ -1,37 +1,20 @@
-/// @file Stop-watch, repeats in turn, quantiles.
+/// @file Repeats in turn, and their quantiles.
 #pragma once
 
-#include <chrono>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "verification/timing/timing.h"
+
 namespace type21::bench {
-
-/// Of one thread its processor time, since others may share the machine; of several the time on the wall.
-class Watch {
-  public:
-    explicit Watch(bool one_thread) : one_thread_(one_thread), from_(now()) {}
-    double nanoseconds() const { return now() - from_; }
-    double seconds() const { return 1e-9 * nanoseconds(); }
-
-  private:
-    double now() const {
-        timespec t{};
-        clock_gettime(one_thread_ ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
-        return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
-    }
-    bool one_thread_;
-    double from_;
-};
 
 /// Quantiles of repeats [ns]: the smallest number below or at which the share of them lies.
 struct Spread {
     double p50 = 0, p95 = 0, max = 0, min = 0;
 };
 /// @throws std::invalid_argument without a number
-Spread spread(std::vector<double> times);
+Spread spread(const std::vector<double>& times);
 
 /// Methods that are compared: each runs once a round, in turn, so that what slows the machine slows all of them.
 class Rounds {

@@ -13,87 +13,85 @@ using Json = nlohmann::json;
 
 namespace {
 
-template <class T>
-Json or_null(const std::optional<T>& value) {
-    return value ? Json(*value) : Json();
+/// Every field that is kept, with its name: of a check that holds there is no first difference above the tolerance.
+template <class Column, class Visit>
+void each_field_of_column(Column& one, const Visit& visit) {
+    visit("column", one.column);
+    visit("difference", one.difference);
+    visit("scale", one.scale);
+    visit("scaled", one.scaled);
+    visit("time", one.time);
+    visit("object", one.object);
+    visit("ours", one.ours);
+    visit("reference", one.reference);
+    visit("tolerance", one.tolerance);
+    visit("ok", one.ok);
+    visit("remark", one.remark);
 }
 
-template <class T>
-std::optional<T> optional_of(const Json& json) {
-    if (json.is_null()) return std::nullopt;
-    return json.get<T>();
+/// The same of a check, but for its columns.
+template <class Check, class Visit>
+void each_field(Check& one, const Visit& visit) {
+    visit("id", one.id);
+    visit("case", one.case_name);
+    visit("run", one.run);
+    visit("kind", one.kind);
+    visit("equation", one.equation);
+    visit("expected", one.expected);
+    visit("got", one.got);
+    visit("expected_number", one.expected_number);
+    visit("got_number", one.got_number);
+    visit("difference", one.difference);
+    visit("tolerance", one.tolerance);
+    visit("unit", one.unit);
+    visit("reason", one.reason);
+    visit("ok", one.ok);
+    visit("skipped", one.skipped);
+    visit("seconds", one.seconds);
+    visit("detail", one.detail);
 }
 
-Json to_json(const ColumnResult& one) {
-    return {{"column", one.column},       {"difference", one.difference},
-            {"scale", one.scale},         {"scaled", one.scaled},
-            {"time", one.time},           {"object", or_null(one.object)},
-            {"ours", one.ours},           {"reference", one.reference},
-            {"tolerance", one.tolerance}, {"ok", one.ok},
-            {"remark", one.remark}};
-}
+/// Into JSON; a field without a value is left out.
+struct Write {
+    Json& json;
+    template <class T>
+    void operator()(const char* name, const T& value) const {
+        json[name] = value;
+    }
+    template <class T>
+    void operator()(const char* name, const std::optional<T>& value) const {
+        if (value) json[name] = *value;
+    }
+};
 
-ColumnResult column_of(const Json& json) {
-    ColumnResult one;
-    one.column = json.at("column");
-    one.difference = json.at("difference");
-    one.scale = json.at("scale");
-    one.scaled = json.at("scaled");
-    one.time = json.at("time");
-    one.object = optional_of<Id>(json.at("object"));
-    one.ours = json.at("ours");
-    one.reference = json.at("reference");
-    one.tolerance = json.at("tolerance");
-    one.ok = json.at("ok");
-    one.remark = json.at("remark");
-    return one;  // nothing is above the tolerance of a check that holds: there is no first such difference
-}
+/// Out of JSON; throws where a field is missing or of another kind.
+struct Read {
+    const Json& json;
+    template <class T>
+    void operator()(const char* name, T& value) const {
+        json.at(name).get_to(value);
+    }
+    template <class T>
+    void operator()(const char* name, std::optional<T>& value) const {
+        if (json.contains(name)) value = json.at(name).get<T>();
+    }
+};
 
 Json to_json(const CheckResult& one) {
-    Json json = {{"id", one.id},
-                 {"case", one.case_name},
-                 {"run", one.run},
-                 {"kind", one.kind},
-                 {"equation", one.equation},
-                 {"expected", one.expected},
-                 {"got", one.got},
-                 {"expected_number", or_null(one.expected_number)},
-                 {"got_number", or_null(one.got_number)},
-                 {"difference", one.difference},
-                 {"tolerance", one.tolerance},
-                 {"unit", one.unit},
-                 {"reason", one.reason},
-                 {"skipped", one.skipped},
-                 {"seconds", one.seconds},
-                 {"detail", one.detail},
-                 {"columns", Json::array()}};
+    Json json;
+    each_field(one, Write{json});
+    json["columns"] = Json::array();
     for (const ColumnResult& column : one.columns)
-        json["columns"].push_back(to_json(column));
+        each_field_of_column(column, Write{json["columns"].emplace_back(Json::object())});
     return json;
 }
 
 CheckResult check_of(const Json& json) {
     CheckResult one;
-    one.id = json.at("id");
-    one.case_name = json.at("case");
-    one.run = json.at("run");
-    one.kind = json.at("kind");
-    one.equation = json.at("equation");
-    one.expected = json.at("expected");
-    one.got = json.at("got");
-    one.expected_number = optional_of<double>(json.at("expected_number"));
-    one.got_number = optional_of<double>(json.at("got_number"));
-    one.difference = json.at("difference");
-    one.tolerance = json.at("tolerance");
-    one.unit = json.at("unit");
-    one.reason = json.at("reason");
-    one.ok = true;
-    one.skipped = json.at("skipped");
-    one.seconds = json.at("seconds");
-    one.detail = json.at("detail");
+    each_field(one, Read{json});
     one.kept = true;
     for (const Json& column : json.at("columns"))
-        one.columns.push_back(column_of(column));
+        each_field_of_column(one.columns.emplace_back(), Read{column});
     return one;
 }
 
