@@ -15,6 +15,17 @@ double damping_of_tool(double share, double inertia, double stiffness) {
 
 }  // namespace
 
+void PathCounts::add(const PathTally& cycle, long asked) {
+    nodes += asked;
+    certified += cycle.certified;
+    steady += cycle.steady;
+    paired += cycle.paired;
+    quiet += cycle.quiet;
+    searched += cycle.searched;
+    fine += cycle.fine;
+    whole += cycle.whole;
+}
+
 void Contact::State::run(const Motion& motion, const Output& out) {
     const Cycle cycle(laws, motion, inacti);
     const int count = static_cast<int>(nodes.node.size());
@@ -29,6 +40,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         tbb::blocked_range<int>(0, static_cast<int>(lists.size())),
         [&](const tbb::blocked_range<int>& range) {
             Workspace& w = work.local();
+            w.batch->cores = cores;
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
                 ChunkLists& own = lists[static_cast<size_t>(c)];
@@ -38,16 +50,14 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         },
         tbb::static_partitioner());
     total.clear();
-    counts.nodes += count;
+    PathTally cycle_paths;
     for (Workspace& w : work) {
         total.add(w.sums);
-        counts.certified += w.tally.certified;
-        counts.paired += w.tally.paired;
-        counts.quiet += w.tally.quiet;
-        counts.searched += w.tally.searched;
-        counts.fine += w.tally.fine;
-        counts.whole += w.tally.whole;
+        cycle_paths.add(w.tally);
     }
+    // Of the whole cycle, so that no thread's pace has a part in it.
+    cores = cycle_paths.asks_for_cores(count);
+    counts.add(cycle_paths, count);
     if (lanes && !laws.has(effect::friction)) total.without_friction();
 }
 
@@ -164,7 +174,7 @@ Funnel Contact::funnel() const {
     Funnel funnel;
     // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
     funnel.nothing_near = counts.quiet;
-    funnel.settled = {counts.certified + counts.paired + counts.searched - counts.fine - counts.whole, counts.fine,
+    funnel.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole, counts.fine,
                       counts.whole};
     return funnel;
 }

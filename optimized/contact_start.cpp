@@ -73,7 +73,7 @@ void Contact::State::new_search() {
     laws.search = std::make_unique<Search>(laws.tool, limits, boxes);
     // What nodes remember of the old search holds for the old limits.
     for (Memory& memory : nodes.memory)
-        memory.quiet = 0;
+        memory.forget();
 }
 
 void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {

@@ -8,6 +8,12 @@ namespace type21::optimized {
 /// What a plain projection may be off by at most, where foreseen() holds; nodes for which more is needed are filtered.
 constexpr double foreseen_share = 1e-6;  ///< of weights [-], and of heights and distances as a share of the size
 
+/// What weights and kappa of plain projections must be away from what decides: ten times what they may be off by.
+constexpr double plain_share = 1e-5;
+constexpr double weight_limit = -0.01;  ///< Rules::low of all but the first look of D31, which asks filter()
+/// Weights of step 3 that a sub-triangle surely takes.
+constexpr double plain_weight = weight_limit + plain_share;
+
 /// Size that S of filter() does not exceed for the nodes meant here. @param extent  of the segment [length]
 inline double foreseen_size(double extent, double growth) {
     return extent + 1.5 * growth;

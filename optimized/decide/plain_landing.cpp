@@ -152,7 +152,12 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     choose(behind, zero + limits.inward, limit);
     choose(behind, zero + limits.depth, reach);
     const L distance2 = lift * lift * normal_square;
-    const L nearer = reach - 2.0 * rounding, farther = reach + 2.0 * rounding;
+    // Clipping weights >= -w, w <= 0.01, moves the point by at most half of the weights' change, 4.04 w, times an edge;
+    // an edge is at most 2 sqrt(3) times the extent, which is less than the size.
+    L clipped = 2.0 * plain_share - least;
+    most_of(zero, clipped);
+    const L unsure = 2.0 * rounding + 7.1 * clipped * size;
+    const L nearer = reach - unsure, farther = reach + unsure;
     // Conditions are counted: GCC takes apart what joins several comparisons.
     const L one = zero + 1.0;
     L met = farthest <= size ? one : zero;
@@ -160,7 +165,7 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     met += q_size <= 4.0 ? one : zero;
     met += total >= 0.5 ? one : zero;
     met += inner >= core + foreseen_share ? one : zero;
-    met += least >= foreseen_share ? one : zero;
+    met += least >= plain_weight ? one : zero;
     met += height2 > 4.0 * rounding * rounding * square ? one : zero;
     met += enlarged < limit * limit * square ? one : zero;
     L touched = distance2 < nearer * nearer ? one : zero;
@@ -168,7 +173,7 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     L certain = touched + met == 10.0 ? one : zero;
     L beyond = zero + limits.proximity;
     choose(behind, zero, beyond);
-    beyond += 2.0 * rounding;
+    beyond += unsure;
     most_of(farther, beyond);
     const L missed = distance2 > beyond * beyond ? zero + 10.0 : zero;
     certain -= missed + met == 18.0 ? one : zero;
@@ -203,15 +208,28 @@ void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Ma
     }
 }
 
-V3 landed_at(const SegmentData& segment, int piece, double b, double c) {
-    const V3 o = segment.node[segment.triangle ? 2 : 0];
+namespace {
+
+/// Q relative to o.
+V3 local_landing(const SegmentData& segment, int piece, double b, double c) {
+    const V3& o = segment.node[segment.triangle ? 2 : 0];
     const PieceCorners corner = piece_corners(segment.triangle, piece);
     std::array<V3, 4> local;
     for (size_t j = 0; j < 4; ++j)
         local[j] = segment.node[j] - o;
     const V3 center = ((local[1] + local[2]) + local[3]) * (segment.triangle ? 0.0 : 0.25);
     const V3 e1 = local[static_cast<size_t>(corner.b)] - center, e2 = local[static_cast<size_t>(corner.c)] - center;
-    return o + (center + (e1 * b + e2 * c));
+    return center + (e1 * b + e2 * c);
+}
+
+}  // namespace
+
+V3 landed_at(const SegmentData& segment, int piece, double b, double c) {
+    return segment.node[segment.triangle ? 2 : 0] + local_landing(segment, piece, b, c);
+}
+
+V3 offset_from_landing(const V3& y, const SegmentData& segment, int piece, double b, double c) {
+    return (y - segment.node[segment.triangle ? 2 : 0]) - local_landing(segment, piece, b, c);
 }
 
 }  // namespace type21::optimized

@@ -2,6 +2,8 @@
 /// before.
 #pragma once
 
+#include <cmath>
+
 #include "optimized/decide/segment.h"
 #include "optimized/machine.h"
 
@@ -43,11 +45,18 @@ struct LandingLimits {
 };
 
 /// Fills what is found. `certain` is not 0 where the node is one for which bounds were foreseen (foreseen_bounds.h), it
-/// lies in the core, lands inside without being clipped, off the plane and away from its reach by more than rounding.
+/// lies in the core, lands where it is surely taken, off the plane and away from its reach by more than rounding.
 /// @param count  columns; up to the next multiple of eight are computed
 void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Machine machine = this_machine());
 
+/// Step 6.
+inline double kappa_of(double b, double c) {
+    return std::abs(1.0 / 3 - b) + std::abs(1.0 / 3 - c) + std::abs(2.0 / 3 - b - c);
+}
+
 /// X of a node that has come to b, c otherwise, with the same operations.
 V3 landed_at(const SegmentData& segment, int piece, double b, double c);
+/// P - X, formed where a distant origin does not matter.
+V3 offset_from_landing(const V3& p, const SegmentData& segment, int piece, double b, double c);
 
 }  // namespace type21::optimized

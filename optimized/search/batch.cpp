@@ -1,15 +1,15 @@
 // Many nodes at once: cores in the lanes of registers, then pairs likewise (pairs.cpp), then one after the other.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
-#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
 
 namespace {
 
-constexpr double nobody = 9;  ///< as a core: no weight is so large
+constexpr double taking = weight_limit + plain_share - foreseen_share;  ///< as a core: all that the sub-triangle takes
 
 }  // namespace
 
@@ -30,6 +30,7 @@ Retained Search::Batch::retained(int i) const {
 
 void PathTally::add(const PathTally& other) {
     certified += other.certified;
+    steady += other.steady;
     paired += other.paired;
     quiet += other.quiet;
     searched += other.searched;
@@ -38,65 +39,104 @@ void PathTally::add(const PathTally& other) {
 }
 
 void Search::find(Batch& batch, const Rules& rules) const {
-    int open[Batch::room], count = 0;
-    batch.pair_count = batch.close_count = 0;
+    int looking[Batch::room], open[Batch::room], look = 0, left = 0;
+    batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
     std::fill_n(batch.path, batch.count, Path::certified);
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
-    for (int first = 0; first < batch.count; first += LandingRows::room)
-        count += find_part(batch, first, std::min(LandingRows::room, batch.count - first), rules, open + count);
+    std::fill_n(batch.place, batch.count, -1);
+    for (int i = 0; i < batch.count; ++i) {
+        const Memory* memory = batch.memory[i];
+        if (memory == nullptr) continue;
+        const bool within = memory->within({batch.y[0][i], batch.y[1][i], batch.y[2][i]});
+        if (within && memory->radius > 0) {
+            batch.path[i] = Path::quiet;
+            ++batch.tally.quiet;
+        } else if (memory->place >= 0 && !(memory->radius > 0) &&
+                   (within || batch.cores || core_known(memory->place))) {
+            tool_.prefetch_segment(segment_of(memory->place));
+            if (within) batch.path[i] = Path::steady;
+            looking[look++] = i;
+        } else {
+            open[left++] = i;
+        }
+    }
+    for (int first = 0; first < look; first += LandingRows::room)
+        left += look_again(batch, looking + first, std::min(LandingRows::room, look - first), rules, open + left);
     // Those that no core holds: near a side they are asked of two, and only then of all.
     decide_pairs(batch, rules);
     decide_close(batch, rules);
-    for (int j = 0; j < count; ++j) {
-        const int i = open[j];
-        const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
-        put(batch, i, find(y, {batch.gap[i], batch.depth, batch.proximity}, rules, *batch.memory[i]));
+    ask_rows(batch, open, left, rules, true);
+}
+
+/// Into the rows of a part, and what is found from there.
+void Search::land_again(Batch& batch, const int* nodes, int count) const {
+    LandingRows& rows = batch.rows;
+    // Mostly the nodes of a part follow each other; whole rows are copied faster than shorter ones, and what is behind
+    // them is not there yet.
+    const int first = nodes[0];
+    const bool row = nodes[count - 1] - first == count - 1 && first + LandingRows::room <= Batch::room;
+    const auto in = [&](const double* from, double* to) {
+        if (row) {
+            std::memcpy(to, from + first, sizeof(LandingRows::Row));
+        } else {
+            for (int c = 0; c < count; ++c)
+                to[c] = from[nodes[c]];
+        }
+    };
+    const auto out = [&](const double* from, double* to) {
+        if (row) {
+            std::memcpy(to + first, from, sizeof(LandingRows::Row));
+        } else {
+            for (int c = 0; c < count; ++c)
+                to[nodes[c]] = from[c];
+        }
+    };
+    for (int a = 0; a < 3; ++a)
+        in(batch.y[a], rows.y[a]);
+    in(batch.gap, rows.gap);
+    plain_landing(rows, count, landing_limits(batch.depth, batch.proximity));
+    out(rows.b, batch.b);
+    out(rows.c, batch.c);
+    out(rows.lift, batch.lift);
+    for (int a = 0; a < 3; ++a) {
+        out(rows.n[a], batch.n[a]);
+        out(rows.x[a], batch.x[a]);
     }
 }
 
-int Search::find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const {
+int Search::look_again(Batch& batch, const int* nodes, int count, const Rules& rules, int* open) const {
     LandingRows& rows = batch.rows;
-    bool any = false;
-    for (int i = 0; i < count; ++i) {
-        const Memory* memory = batch.memory[first + i];
-        const bool looks = memory != nullptr && memory->place >= 0 && !(memory->quiet > 0);
-        any |= looks;
-        if (looks) {
-            fill(rows, i, memory->place);
-        } else {
-            rows.core[i] = nobody;
-            rows.certain[i] = 0;
-        }
+    int place[LandingRows::room];
+    bool steady[LandingRows::room];
+    for (int c = 0; c < count; ++c) {
+        const int i = nodes[c];
+        place[c] = batch.memory[i]->place;
+        steady[c] = batch.path[i] == Path::steady;
+        rows.core[c] = steady[c] ? taking : double(core(place[c]));
     }
-    if (any) {
-        const auto copy = [&](const double* from, double* to) {
-            std::memcpy(to, from, static_cast<size_t>(count) * sizeof(double));
-        };
-        for (int a = 0; a < 3; ++a)
-            copy(batch.y[a] + first, rows.y[a]);
-        copy(batch.gap + first, rows.gap);
-        plain_landing(rows, count, landing_limits(batch.depth, batch.proximity));
-        copy(rows.b, batch.b + first);
-        copy(rows.c, batch.c + first);
-        copy(rows.lift, batch.lift + first);
-        for (int a = 0; a < 3; ++a) {
-            copy(rows.n[a], batch.n[a] + first);
-            copy(rows.x[a], batch.x[a] + first);
+    gather(rows, tool_, place, count, growth_);
+    land_again(batch, nodes, count);
+    int left = 0, kept = 0, alone = 0;
+    for (int c = 0; c < count; ++c) {
+        const int i = nodes[c];
+        const double certain = rows.certain[c];
+        batch.side[i] = rows.lift[c] > 0 ? 1 : -1;
+        if (certain > 0) batch.place[i] = place[c];
+        if (steady[c]) {
+            kept += certain > 0;
+            // A ball tells who is retained, not that nothing is.
+            if (!(certain > 0)) open[left++] = i;
+            continue;
         }
-    }
-    int left = 0;
-    for (int i = 0; i < count; ++i) {
-        const int at = first + i;
-        const double certain = rows.certain[i];
-        batch.side[at] = rows.lift[i] > 0 ? 1 : -1;
-        batch.place[at] = certain > 0 ? batch.memory[at]->place : -1;
-        batch.tally.certified += certain != 0;
-        if (certain != 0 || batch.memory[at] == nullptr) continue;
-        if (!over_corner(batch, first, i) && !pair_up(batch, first, i)) open[left++] = at;
+        alone += certain != 0;
+        if (certain != 0) continue;
+        if (!over_corner(batch, i, c) && !pair_up(batch, i, c)) open[left++] = i;
         if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
     }
+    batch.tally.steady += kept;
+    batch.tally.certified += alone;
     return left;
 }
 
@@ -122,31 +162,18 @@ LandingLimits Search::landing_limits(double depth, double proximity) const {
     return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
 }
 
-void Search::fill(LandingRows& rows, int column, int place) const {
-    const int segment = segment_of(place);
-    for (int j = 0; j < 4; ++j) {
-        const V3 &x = tool_.node(segment, j), &n = tool_.normal(segment, j);
-        rows.corner[j][0][column] = x.x;
-        rows.corner[j][1][column] = x.y;
-        rows.corner[j][2][column] = x.z;
-        rows.normal[j][0][column] = n.x;
-        rows.normal[j][1][column] = n.y;
-        rows.normal[j][2][column] = n.z;
-    }
-    rows.code[column] = tool_.is_triangle(segment) ? 4 : (place & 3);
-    rows.core[column] = double(core(place));
-    rows.size[column] = foreseen_size(tool_.extent(segment), std::max(limits_.outward, limits_.inward));
-}
-
-void Search::fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const {
-    fill(rows, column, place);
+void Search::ask_at(LandingRows& rows, int column, int place, const Batch& batch, int i) const {
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = batch.y[a][i];
     rows.gap[column] = batch.gap[i];
+    rows.core[column] = std::isfinite(rate(place)) ? 0.0 : double(beyond_foreseen);
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
-    batch.memory[i]->place = place;
+    if (Memory* memory = batch.memory[i]) {
+        memory->place = place;
+        memory->forget();
+    }
     batch.place[i] = place;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
     batch.b[i] = rows.b[column];

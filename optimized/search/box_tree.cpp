@@ -1,30 +1,112 @@
 #include "optimized/search/box_tree.h"
 
-#include <algorithm>
 #include <cmath>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 namespace type21::optimized {
 
 namespace {
 
-constexpr std::int32_t worth_a_task = 4096;  ///< boxes; below, a task costs more than it brings
+constexpr std::int32_t worth_tasks = 4096;  ///< boxes; below, a task costs more than it brings
 
-float down(double v) {
+/// The largest float <= v, or the one below it.
+TYPE21_INLINE float down(double v) {
     const auto f = static_cast<float>(v);
-    return double(f) > v ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    if (!(double(f) > v)) return f;
+    // Its neighbour is the neighbouring pattern of bits; nextafter is a call.
+    const auto bits = std::bit_cast<std::int32_t>(f);
+    if (f == 0) return -std::numeric_limits<float>::denorm_min();
+    return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
 }
-float up(double v) {
+TYPE21_INLINE float up(double v) {
     return -down(-v);
+}
+
+/// How many boxes each subtree of a branch gets but the last: whole branches of leaves.
+std::int32_t share_of(std::int32_t count) {
+    constexpr std::int32_t wide = BoxTree::wide;
+    if (count <= wide) return 1;
+    const std::int32_t share = (count + wide - 1) / wide;
+    return (share + wide - 1) / wide * wide;
+}
+
+std::int32_t branches_of(std::int32_t count) {
+    if (count <= BoxTree::wide) return 1;
+    const std::int32_t share = share_of(count), full = (count - 1) / share;
+    return 1 + full * branches_of(share) + branches_of(count - full * share);
+}
+
+template <int W>
+struct FloatsOf {
+    typedef float Real __attribute__((vector_size(W * sizeof(float))));
+};
+
+#if defined(__x86_64__)
+TYPE21_AVX2 unsigned bits_of(const FloatsOf<8>::Real& mask) {
+    return static_cast<unsigned>(__builtin_ia32_movmskps256(mask));
+}
+TYPE21_INLINE unsigned bits_of(const FloatsOf<4>::Real& mask) {
+    return static_cast<unsigned>(__builtin_ia32_movmskps(mask));
+}
+#else
+template <class V>
+unsigned bits_of(const V& mask) {
+    unsigned bits = 0;
+    int lane[sizeof(V) / sizeof(int)];
+    __builtin_memcpy(lane, &mask, sizeof(V));
+    for (size_t i = 0; i < sizeof(V) / sizeof(int); ++i)
+        bits |= static_cast<unsigned>(lane[i] < 0) << i;
+    return bits;
+}
+#endif
+
+/// The boxes from `at` on.
+template <int W, class Branch, class Asked>
+TYPE21_INLINE unsigned ask_some(const Branch& branch, int at, const Asked& query, float* distance2) {
+    using V = typename FloatsOf<W>::Real;
+    V sum{};
+    for (int a = 0; a < 3; ++a) {
+        V low, high;
+        __builtin_memcpy(&low, branch.low[a] + at, sizeof(V));
+        __builtin_memcpy(&high, branch.high[a] + at, sizeof(V));
+        V d = low - query.high[a];
+        const V other = query.low[a] - high, zero{};
+        d = d > other ? d : other;
+        d = d > zero ? d : zero;
+        sum += d * d;
+    }
+    __builtin_memcpy(distance2 + at, &sum, sizeof(V));
+    return bits_of((V)(sum <= query.most)) << at;
 }
 
 }  // namespace
 
-BoxTree::Side BoxTree::rounded_outward(const Box& box) {
-    return {{down(box.low.x), down(box.low.y), down(box.low.z)}, {up(box.high.x), up(box.high.y), up(box.high.z)}};
+TYPE21_AVX2 unsigned BoxTree::ask_eight(const Branch& branch, const Asked& query, float* distance2) {
+    return ask_some<8>(branch, 0, query, distance2);
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) {
+unsigned BoxTree::ask_four(const Branch& branch, const Asked& query, float* distance2) {
+    return ask_some<4>(branch, 0, query, distance2) | ask_some<4>(branch, 4, query, distance2);
+}
+
+BoxTree::Asked BoxTree::asked(const Box& box, double distance) {
+    Asked query{};
+    for (int a = 0; a < 3; ++a) {
+        query.low[a] = down(box.low[a]);
+        query.high[a] = up(box.high[a]);
+    }
+    limit(query, distance);
+    return query;
+}
+
+/// Squares beyond float hide nothing: from 1e15 on all that is finite counts as near.
+void BoxTree::limit(Asked& query, double distance) {
+    query.most = distance < 1e15 ? up(distance * distance * (1 + 1e-5)) : std::numeric_limits<float>::max();
+}
+
+BoxTree::BoxTree(const std::vector<Box>& boxes, Machine machine)
+    : ask_(machine == Machine::two ? ask_four : ask_eight) {
     const auto count = static_cast<std::int32_t>(boxes.size());
     if (count == 0) return;
     std::vector<Leaf> order(boxes.size());
@@ -33,53 +115,69 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
         order[static_cast<size_t>(i)] = {
             {static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)}, i};
     }
-    branch_.resize(static_cast<size_t>(std::max(1, count - 1)));
-    if (count == 1) {
-        branch_[0].side[0] = branch_[0].side[1] = rounded_outward(boxes[0]);
-        branch_[0].below[0] = ~0;
-        branch_[0].below[1] = nothing;
-        return;
-    }
+    branch_.resize(static_cast<size_t>(branches_of(count)));
     build(boxes, order.data(), count, 0);
 }
 
-/// The subtree of n boxes has n - 1 branches: where each lies is known before it is built, whoever builds it.
+/// How many branches a subtree has depends on its boxes' number alone: where each lies is known before it is built,
+/// whoever builds it.
 Box BoxTree::build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at) {
-    if (count == 1) return boxes[static_cast<size_t>(first->rank)];
-    float low[3], high[3];
-    for (int a = 0; a < 3; ++a)
-        low[a] = high[a] = first->middle[a];
-    for (std::int32_t i = 1; i < count; ++i) {
-        for (int a = 0; a < 3; ++a) {
-            low[a] = std::min(low[a], first[i].middle[a]);
-            high[a] = std::max(high[a], first[i].middle[a]);
+    const std::int32_t share = share_of(count), parts = (count + share - 1) / share;
+    // Halves by the longer way, until each part is alone.
+    const auto divide = [&](const auto& self, std::int32_t from, std::int32_t to) -> void {
+        if (to - from < 2) return;
+        Leaf *const begin = first + from * share, *const end = first + std::min(to * share, count);
+        float low[3], high[3];
+        for (int a = 0; a < 3; ++a)
+            low[a] = high[a] = begin->middle[a];
+        for (const Leaf* leaf = begin; leaf != end; ++leaf) {
+            for (int a = 0; a < 3; ++a) {
+                low[a] = std::min(low[a], leaf->middle[a]);
+                high[a] = std::max(high[a], leaf->middle[a]);
+            }
         }
-    }
-    const float spread[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-    const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : (spread[1] >= spread[2] ? 1 : 2);
-    const std::int32_t half = count / 2;
-    std::nth_element(first, first + half, first + count, [axis](const Leaf& one, const Leaf& other) {
-        const float a = one.middle[axis], b = other.middle[axis];
-        return a < b || (a == b && one.rank < other.rank);
-    });
-    const std::int32_t counts[2] = {half, count - half};
-    Leaf* const firsts[2] = {first, first + half};
-    const std::int32_t places[2] = {at + 1, at + half};  // the first subtree has half - 1 branches
-    Box below[2];
-    const auto side = [&](int i) { below[i] = build(boxes, firsts[i], counts[i], places[i]); };
-    if (count >= worth_a_task) {
-        tbb::parallel_invoke([&] { side(0); }, [&] { side(1); });
+        const float spread[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+        const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : (spread[1] >= spread[2] ? 1 : 2);
+        const std::int32_t middle = (from + to) / 2;
+        std::nth_element(begin, first + middle * share, end, [axis](const Leaf& one, const Leaf& other) {
+            const float a = one.middle[axis], b = other.middle[axis];
+            return a < b || (a == b && one.rank < other.rank);
+        });
+        const auto half = [&](bool second) {
+            return second ? self(self, middle, to) : self(self, from, middle);
+        };
+        if (end - begin >= worth_tasks) {
+            tbb::parallel_invoke([&] { half(false); }, [&] { half(true); });
+        } else {
+            half(false);
+            half(true);
+        }
+    };
+    divide(divide, 0, parts);
+    Box below[wide], all;
+    const auto part = [&](std::int32_t i) {
+        Leaf* const begin = first + i * share;
+        below[i] = share == 1
+                       ? boxes[static_cast<size_t>(begin->rank)]
+                       : build(boxes, begin, std::min(share, count - i * share), at + 1 + i * branches_of(share));
+    };
+    if (count >= worth_tasks) {
+        tbb::parallel_for(0, parts, part);
     } else {
-        side(0);
-        side(1);
+        for (std::int32_t i = 0; i < parts; ++i)
+            part(i);
     }
     Branch& branch = branch_[static_cast<size_t>(at)];
-    for (int i = 0; i < 2; ++i) {
-        branch.side[i] = rounded_outward(below[i]);
-        branch.below[i] = counts[i] == 1 ? ~firsts[i]->rank : places[i];
+    for (std::int32_t i = 0; i < wide; ++i) {
+        if (i < parts) all.extend(below[i]);
+        for (int a = 0; a < 3; ++a) {
+            // An empty place is infinitely far from all that is finite.
+            branch.low[a][i] = i < parts ? down(below[i].low[a]) : std::numeric_limits<float>::infinity();
+            branch.high[a][i] = i < parts ? up(below[i].high[a]) : -std::numeric_limits<float>::infinity();
+        }
+        branch.below[i] = i >= parts ? nothing : (share == 1 ? ~first[i].rank : at + 1 + i * branches_of(share));
     }
-    below[0].extend(below[1]);
-    return below[0];
+    return all;
 }
 
 }  // namespace type21::optimized

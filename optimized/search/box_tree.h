@@ -1,58 +1,71 @@
 /// @file Which boxes hold a point, meet a box, or are near: a tree of boxes, built once.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "optimized/machine.h"
 #include "optimized/search/box.h"
 
 namespace type21::optimized {
 
-/// A binary tree with one box a leaf. A branch holds the boxes of both that are below it, rounded outward to float: 64
-/// bytes, one cache line. Branches lie in depth-first order, so near ones share memory pages.
+/// A tree with one box a leaf. A branch holds eight boxes of what is below it, rounded outward to float, and asks them
+/// at once. All but the last branches above the leaves are full. Branches lie in depth-first order, so near ones share
+/// memory pages.
 class BoxTree {
   public:
+    static constexpr int wide = 8;
+
     BoxTree() = default;
-    explicit BoxTree(const std::vector<Box>& boxes);
+    explicit BoxTree(const std::vector<Box>& boxes, Machine machine = this_machine());
 
     /// Calls found(rank) for each box that holds y (and for some that nearly do).
     template <class Found>
     void at(const V3& y, const Found& found) const {
-        visit([&](const Side& side) { return side.distance2(y) <= 0; }, found);
+        within(y, 0, [&](int rank, double) { found(rank); });
     }
     /// Calls found(rank) for each box that meets this one (and for some that nearly do).
     template <class Found>
     void meeting(const Box& box, const Found& found) const {
-        visit([&](const Side& side) { return side.meets(box); }, found);
+        visit(asked(box, 0), [&](int rank, double) { found(rank); });
     }
-    /// Calls found(rank, lower bound on its distance from y) for boxes nearer than limit(), which may shrink.
+    /// Calls found(rank, lower bound on its distance from y) for boxes that are at most this far.
+    template <class Found>
+    void within(const V3& y, double distance, const Found& found) const {
+        visit(asked({y, y}, distance), found);
+    }
+    /// The same for boxes nearer than limit(), which may shrink, nearer ones first.
     template <class Limit, class Found>
     void near(const V3& y, const Limit& limit, const Found& found) const;
 
     size_t bytes() const { return branch_.capacity() * sizeof(Branch); }
 
   private:
-    struct Side {
+    struct alignas(32) Branch {
+        float low[3][wide], high[3][wide];
+        std::int32_t below[wide];  ///< a branch, or ~rank of a box, or nothing
+    };
+    /// A box rounded outward, and the square of how far from it others are looked for, rounded up.
+    struct Asked {
         float low[3], high[3];
-
-        double distance2(const V3& y) const {
-            const double dx = std::max(0.0, std::max(double(low[0]) - y.x, y.x - double(high[0])));
-            const double dy = std::max(0.0, std::max(double(low[1]) - y.y, y.y - double(high[1])));
-            const double dz = std::max(0.0, std::max(double(low[2]) - y.z, y.z - double(high[2])));
-            return dx * dx + dy * dy + dz * dz;
-        }
-        bool meets(const Box& b) const {
-            return b.low.x <= double(high[0]) && b.high.x >= double(low[0]) && b.low.y <= double(high[1]) &&
-                   b.high.y >= double(low[1]) && b.low.z <= double(high[2]) && b.high.z >= double(low[2]);
-        }
+        float most;
     };
-    struct alignas(64) Branch {
-        Side side[2];
-        std::int32_t below[2];  ///< a branch, or ~rank of a box
-    };
-    static constexpr int deepest = 64;  ///< halves: 2^31 boxes need 31
+    /// Which of the eight are not farther than that. @param distance2  filled with squares of lower bounds
+    using Ask = unsigned (*)(const Branch&, const Asked&, float* distance2);
 
-    static Side rounded_outward(const Box& box);
+    static constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::min();
+    /// Seven are put off at each level; a level divides by four or more.
+    static constexpr int deepest = 7 * 16;
+
+    static Asked asked(const Box& box, double distance);
+    static void limit(Asked& query, double distance);
+    /// Squares are rounded to nearest four times.
+    static double distance(float square) { return square > 0 ? std::sqrt(double(square)) * (1 - 1e-6) : 0.0; }
+    static unsigned ask_eight(const Branch& branch, const Asked& query, float* distance2);
+    static unsigned ask_four(const Branch& branch, const Asked& query, float* distance2);
+
     /// Where a box is, roughly: only the shape of the tree depends on it.
     struct Leaf {
         float middle[3];
@@ -60,18 +73,20 @@ class BoxTree {
     };
     Box build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at);
 
-    template <class Holds, class Found>
-    void visit(const Holds& holds, const Found& found) const {
+    template <class Found>
+    void visit(const Asked& query, const Found& found) const {
         if (branch_.empty()) return;
         std::int32_t open[deepest];
+        alignas(32) float distance2[wide];
         int depth = 0;
         open[depth++] = 0;
         while (depth > 0) {
             const Branch& branch = branch_[static_cast<size_t>(open[--depth])];
-            for (int i = 1; i >= 0; --i) {
-                if (branch.below[i] == nothing || !holds(branch.side[i])) continue;
+            for (unsigned hit = ask_(branch, query, distance2); hit != 0; hit &= hit - 1) {
+                const int i = std::countr_zero(hit);
+                if (branch.below[i] == nothing) continue;
                 if (branch.below[i] < 0) {
-                    found(static_cast<int>(~branch.below[i]));
+                    found(static_cast<int>(~branch.below[i]), distance(distance2[i]));
                 } else {
                     open[depth++] = branch.below[i];
                 }
@@ -79,36 +94,41 @@ class BoxTree {
         }
     }
 
-    static constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::min();
+    Ask ask_ = nullptr;
     std::vector<Branch> branch_;
 };
 
 template <class Limit, class Found>
-void BoxTree::near(const V3& y, const Limit& limit, const Found& found) const {
+void BoxTree::near(const V3& y, const Limit& limit_now, const Found& found) const {
     if (branch_.empty()) return;
     struct Open {
         std::int32_t branch;
-        double distance;
+        float distance2;
     };
     Open open[deepest];
+    alignas(32) float distance2[wide];
     int depth = 0;
-    open[depth++] = {0, 0.0};
+    open[depth++] = {0, 0.0F};
+    Asked query = asked({y, y}, 0);
     while (depth > 0) {
         const Open top = open[--depth];
-        if (top.distance >= limit()) continue;
+        if (!(distance(top.distance2) < limit_now())) continue;
         const Branch& branch = branch_[static_cast<size_t>(top.branch)];
-        double distance[2];
-        for (int i = 0; i < 2; ++i)
-            distance[i] = branch.below[i] == nothing ? std::numeric_limits<double>::infinity()
-                                                     : std::sqrt(branch.side[i].distance2(y)) * (1 - 1e-12);
-        const int nearer = distance[1] < distance[0] ? 1 : 0;
-        // The farther one is put under the nearer.
-        for (const int i : {1 - nearer, nearer}) {
-            if (branch.below[i] >= 0 && distance[i] < limit()) open[depth++] = {branch.below[i], distance[i]};
-        }
-        for (const int i : {nearer, 1 - nearer}) {
-            if (branch.below[i] < 0 && branch.below[i] != nothing && distance[i] < limit())
-                found(static_cast<int>(~branch.below[i]), distance[i]);
+        limit(query, limit_now());
+        const int start = depth;
+        for (unsigned hit = ask_(branch, query, distance2); hit != 0; hit &= hit - 1) {
+            const int i = std::countr_zero(hit);
+            if (branch.below[i] == nothing) continue;
+            if (branch.below[i] < 0) {
+                if (distance(distance2[i]) < limit_now())
+                    found(static_cast<int>(~branch.below[i]), distance(distance2[i]));
+                continue;
+            }
+            // The nearest is taken from the end first.
+            int at = depth++;
+            for (; at > start && open[at - 1].distance2 < distance2[i]; --at)
+                open[at] = open[at - 1];
+            open[at] = {branch.below[i], distance2[i]};
         }
     }
 }

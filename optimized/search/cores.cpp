@@ -1,6 +1,7 @@
 // Margins and neighbours of the sub-triangles of a segment, found when they are first asked for.
 #include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/margins.h"
+#include "optimized/search/rates.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
@@ -66,6 +67,16 @@ bool Search::first_at(int place, int i, std::span<const int> segments) const {
 float Search::new_core(int place) const {
     find_cores(segment_of(place));
     return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
+}
+
+float Search::new_rate(int place) const {
+    const SegmentData segment = tool_.segment(segment_of(place));
+    const int piece = piece_of(place);
+    float rate = std::numeric_limits<float>::infinity();
+    if (foreseen(segment, piece, tool_.extent(segment_of(place)), growth_))
+        rate = std::nextafter(static_cast<float>(std::min(weight_rate(segment, piece, limits_), 1e30)), HUGE_VALF);
+    margins_[static_cast<size_t>(place)].rate.store(rate, std::memory_order_relaxed);
+    return rate;
 }
 
 void Search::find_cores(int rank) const {
@@ -137,11 +148,10 @@ void Search::find_cores(int rank) const {
             }
         }
     }
-    const double growth = std::max(limits_.outward, limits_.inward);
     for (size_t k = 0; k < 4; ++k) {
         const bool none = crowded || k >= pieces;
         float alone = rounded_up(none ? 1.0 : margins[k].alone());
-        if (none || !foreseen(segment, static_cast<int>(k) + 1, tool_.extent(rank), growth))
+        if (none || !foreseen(segment, static_cast<int>(k) + 1, tool_.extent(rank), growth_))
             alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
         margins_[first + k].pair.store(rounded_up(none ? 1.0 : margins[k].pair()), std::memory_order_relaxed);
         leads_[first + k].store(static_cast<unsigned char>(leads[k]), std::memory_order_relaxed);

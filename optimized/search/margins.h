@@ -7,9 +7,6 @@
 
 namespace type21::optimized {
 
-/// Added to Search's m(T) where foreseen() does not hold.
-constexpr float beyond_foreseen = 4;
-
 /// A weight that is this large is one of a node above a corner; @see Search on corners.
 constexpr double lead_weight = 0.98;
 

@@ -1,58 +1,56 @@
 // Nodes near a side: the two sub-triangles that can take them, told apart in double, in 100 bits, exactly.
 #include <cmath>
 
-#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/margins.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
 
-namespace {
-
-/// What a pair's weights and kappa must be away from what decides: ten times what foreseen() allows them to be off.
-constexpr double pair_share = 1e-5;
-
-double kappa(double b, double c) {
-    return std::abs(1.0 / 3 - b) + std::abs(1.0 / 3 - c) + std::abs(2.0 / 3 - b - c);
-}
-
-}  // namespace
-
-/// Does the sub-triangle take the node as contact? Known only where the bounds are foreseen, and away from every limit
-/// by more than the filter needs.
 Search::Standing Search::standing(const LandingRows& rows, int i, double depth, int place) const {
     const double size = rows.size[i], height2 = rows.height[i] * rows.height[i];
     const double rounding = foreseen_share * size;
-    if (!(rows.core[i] < double(beyond_foreseen) && rows.far[i] <= size && std::abs(rows.p[i]) <= 4 &&
-          std::abs(rows.q[i]) <= 4 && rows.total[i] >= 0.5 && height2 > 4 * rounding * rounding * rows.square[i]))
-        return Standing::unknown;
+    if (!(rows.core[i] < double(beyond_foreseen) && rows.far[i] <= size)) return Standing::unknown;
     const bool front = rows.height[i] > 0;
     const double limit = front ? limits_.outward : limits_.inward;
-    if (!(height2 * (1 + 1e-9) < limit * limit * rows.square[i])) return Standing::unknown;
-    constexpr double low = -0.01;
+    const double out = limit + 3 * rounding;
+    if (height2 > out * out * (1 + 1e-9) * rows.square[i]) return Standing::rejected;
+    if (!(std::abs(rows.p[i]) <= 4 && std::abs(rows.q[i]) <= 4 && rows.total[i] >= 0.5 &&
+          height2 > 4 * rounding * rounding * rows.square[i] && height2 * (1 + 1e-9) < limit * limit * rows.square[i]))
+        return Standing::unknown;
+    constexpr double low = weight_limit;
     const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
-    if (inner < low - pair_share) return Standing::rejected;
-    if (!(inner > low + pair_share)) return Standing::unknown;
+    if (inner < low - plain_share) return Standing::rejected;
+    if (!(inner > low + plain_share)) return Standing::unknown;
     const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
-    if (least < low - pair_share) return Standing::rejected;
-    if (!(least > low + pair_share)) return Standing::unknown;
-    // Clipping weights >= -w, w <= 0.01, moves the point by at most half of the weights' change, 4.04 w, times an edge;
-    // an edge is at most 2 sqrt(3) times the extent.
-    const double below = std::max(0.0, -least) + pair_share;
-    const double moved = least > pair_share ? 0.0 : 7.1 * below * tool_.extent(segment_of(place));
+    if (least < low - plain_share) return Standing::rejected;
+    if (!(least > low + plain_share)) return Standing::unknown;
     const V3 n{rows.n[0][i], rows.n[1][i], rows.n[2][i]};
-    const double farthest = std::abs(rows.lift[i]) * norm(n) + moved + 2 * pair_share * size;
-    return farthest < (front ? rows.gap[i] : depth) ? Standing::taken : Standing::unknown;
+    // Weights are off by less than foreseen_share, clipped and rescaled ones by four times that, an edge is at most 2
+    // sqrt(3) times the extent.
+    const double distance = least > 0 ? std::abs(rows.lift[i]) * norm(n) : clipped_distance(rows, i, place);
+    const double unsure = 4 * plain_share * size, reach = front ? rows.gap[i] : depth;
+    if (distance + unsure < reach) return Standing::taken;
+    return distance - unsure > reach ? Standing::beyond : Standing::lands;
 }
 
-bool Search::over_corner(Batch& batch, int first, int i) const {
+/// Step 4: of the node from the point with its weights clipped.
+double Search::clipped_distance(const LandingRows& rows, int i, int place) const {
+    const double a = 1 - rows.b[i] - rows.c[i];
+    const double clipped[3] = {std::max(a, 0.0), std::max(rows.b[i], 0.0), std::max(rows.c[i], 0.0)};
+    const double sum = (clipped[0] + clipped[1]) + clipped[2];
+    const SegmentData segment = tool_.segment(segment_of(place));
+    return norm(offset_from_landing({rows.y[0][i], rows.y[1][i], rows.y[2][i]}, segment, piece_of(place),
+                                    clipped[1] / sum, clipped[2] / sum));
+}
+
+bool Search::over_corner(Batch& batch, int at, int i) const {
     const LandingRows& rows = batch.rows;
     // With D35 one that leans has the corner and takes the node elsewhere.
     if (reach_box_.on || limits_.lift_leaning || rows.core[i] >= double(beyond_foreseen)) return false;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int corner = w[0] > w[1] ? (w[0] > w[2] ? 0 : 2) : (w[1] > w[2] ? 1 : 2);
-    if (!(w[corner] >= 1 - pair_share)) return false;
-    const int at = first + i, own = batch.memory[at]->place;
+    if (!(w[corner] >= 1 - plain_share)) return false;
+    const int own = batch.memory[at]->place;
     const unsigned leads = leads_[static_cast<size_t>(own)].load(std::memory_order_relaxed);
     if ((leads >> corner & 1U) == 0 || standing(rows, i, batch.depth, own) != Standing::taken) return false;
     const V3 y{batch.y[0][at], batch.y[1][at], batch.y[2][at]};
@@ -63,20 +61,20 @@ bool Search::over_corner(Batch& batch, int first, int i) const {
     return true;
 }
 
-bool Search::pair_up(Batch& batch, int first, int i) const {
+bool Search::pair_up(Batch& batch, int at, int i) const {
     const LandingRows& rows = batch.rows;
-    // No place to look at is one of these, too.
     if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
-    const int own = batch.memory[first + i]->place;
+    const int own = batch.memory[at]->place;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
     const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
     const float pair = margins_[static_cast<size_t>(own)].pair.load(std::memory_order_relaxed);
-    if (!(along >= double(pair) + pair_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
+    if (!(along >= double(pair) + plain_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
     const int other = partner(own, side);
     if (other < 0) return false;
-    fill(batch.partners, batch.pair_count, other, batch, first + i);
-    batch.pairs[batch.pair_count++] = {first + i, own, other, side, kappa(rows.b[i], rows.c[i])};
+    ask_at(batch.partners, batch.pair_count, other, batch, at);
+    batch.pairs[batch.pair_count++] = {at, own, other, side, kappa_of(rows.b[i], rows.c[i]),
+                                       along - double(pair) - plain_share};
     return true;
 }
 
@@ -94,15 +92,25 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
     const LandingRows& rows = batch.partners;
     LandingLimits limits = landing_limits(batch.depth, batch.proximity);
     limits.decide = false;
+    int others[LandingRows::room];
+    for (int j = 0; j < count; ++j)
+        others[j] = batch.pairs[j].other;
+    gather(batch.partners, tool_, others, count, growth_);
     plain_landing(batch.partners, count, limits);
     for (int j = 0; j < count; ++j) {
         const Batch::Pair& pair = batch.pairs[j];
         batch.path[pair.column] = Path::paired;
         const Standing stands = standing(rows, j, batch.depth, pair.other);
-        const double apart = kappa(rows.b[j], rows.c[j]) - pair.kappa;
-        if (stands == Standing::rejected || (stands == Standing::taken && apart > pair_share)) {
+        const double apart = kappa_of(rows.b[j], rows.c[j]) - pair.kappa;
+        const bool only = stands == Standing::rejected || (stands == Standing::beyond && batch.proximity == 0);
+        const bool lands = stands == Standing::taken || stands == Standing::lands;
+        if (only || (lands && apart > plain_share)) {
             batch.place[pair.column] = pair.own;
-        } else if (stands == Standing::taken && apart < -pair_share) {
+            const double own = rate(pair.own);
+            const double alone = ball(rows, j, stands, rate(pair.other), pair.kappa, own);
+            keep_steady(batch, pair.column, pair.own,
+                        std::min(std::min(pair.room, rate_reach) / own, alone));
+        } else if (stands == Standing::taken && apart < -plain_share) {
             take(batch, pair.column, pair.other, rows, j);
         } else if (stands == Standing::taken && over_shared_side(batch, pair)) {
             batch.settled[pair.column] = Settled::tie;
@@ -122,11 +130,15 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
     constexpr int part = LandingRows::room / 2;
     for (int first = 0; first < batch.close_count; first += part) {
         const int count = std::min(part, batch.close_count - first);
+        int place[LandingRows::room] = {};
         for (int j = 0; j < count; ++j) {
             const Batch::Pair& pair = batch.close[first + j];
-            fill(rows, 2 * j, pair.own, batch, pair.column);
-            fill(rows, 2 * j + 1, pair.other, batch, pair.column);
+            for (const int which : {0, 1}) {
+                place[2 * j + which] = which == 0 ? pair.own : pair.other;
+                ask_at(rows, 2 * j + which, place[2 * j + which], batch, pair.column);
+            }
         }
+        gather(rows, tool_, place, 2 * count, growth_);
         fine_landing(rows, 2 * count, fine);
         for (int j = 0; j < count; ++j) {
             const Batch::Pair& pair = batch.close[first + j];
@@ -137,7 +149,8 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
                 batch.place[pair.column] = pair.own;
             } else if (apart < -3 * fine_kappa_share) {
                 LandingRows& landed = batch.partners;
-                fill(landed, 0, pair.other, batch, pair.column);
+                ask_at(landed, 0, pair.other, batch, pair.column);
+                gather(landed, tool_, &pair.other, 1, growth_);
                 plain_landing(landed, 1, landing_limits(batch.depth, batch.proximity));
                 take(batch, pair.column, pair.other, landed, 0);
             } else {
@@ -163,6 +176,7 @@ Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, c
                     filter(y, segment, local_segment(segment), piece_of(place), window, rules));
     }
     Found found{decider.retained([&](int s) { return tool_.segment(s); }), Path::paired};
+    batch.memory[i]->forget();
     if (found.retained.segment >= 0) batch.memory[i]->place = place_of(found.retained.segment, found.retained.piece);
     return found;
 }

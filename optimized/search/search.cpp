@@ -34,8 +34,10 @@ bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const Window& 
 Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach_box)
     : tool_(tool),
       limits_(limits),
+      growth_(std::max(limits.outward, limits.inward)),
       reach_box_(reach_box),
       usual_clearance_(0),
+      usual_ball_(0),
       margins_(4 * static_cast<size_t>(tool.size())),
       over_(4 * static_cast<size_t>(tool.size())),
       leads_(4 * static_cast<size_t>(tool.size())) {
@@ -44,9 +46,12 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
     for (const Box& box : boxes)
         extent += largest(box.high - box.low);
     usual_clearance_ = boxes.empty() ? 0 : 16 * extent / static_cast<double>(boxes.size());
+    usual_ball_ = usual_clearance_ / 256;
     tree_ = BoxTree(boxes);
-    for (Margins& margins : margins_)
+    for (Margins& margins : margins_) {
         margins.alone.store(unknown, std::memory_order_relaxed);
+        margins.rate.store(unknown, std::memory_order_relaxed);
+    }
 }
 
 size_t Search::bytes() const {
@@ -66,13 +71,9 @@ Retained Search::search(const V3& y, const Window& window, const Rules& rules, b
 
 Search::Found Search::find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const {
     Found found;
-    if (memory.quiet > 0) {
-        const V3 way = y - memory.from;
-        // A norm of three doubles is right to 3 ulp.
-        if (norm(way) * (1 + 1e-14) < double(memory.quiet)) {
-            found.path = Path::quiet;
-            return found;
-        }
+    if (memory.quiet_at(y)) {
+        found.path = Path::quiet;
+        return found;
     }
     if (memory.place >= 0 && certified(y, window, rules, memory, found)) return found;
     ask_all(y, window, rules, memory, found);
@@ -83,21 +84,19 @@ Search::Found Search::find(const V3& y, const Window& window, const Rules& rules
 void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {
     found.path = Path::searched;
     found.retained = search(y, window, rules);
-    memory.quiet = 0;
+    memory.forget();
     if (found.retained.segment >= 0) {
         memory.place = place_of(found.retained.segment, found.retained.piece);
         if (found.retained.settled == Settled::filter) return;
         // Its magnitudes are those that it has where its core is known, or history would show in a last bit.
         LandingRows rows;
-        constexpr int columns = static_cast<int>(Machine::eight);
-        for (int i = 0; i < columns; ++i) {
-            rows.y[0][i] = y.x;
-            rows.y[1][i] = y.y;
-            rows.y[2][i] = y.z;
-            rows.gap[i] = window.gap;
-            fill(rows, i, memory.place);
-        }
-        plain_landing(rows, columns, landing_limits(window.depth, window.proximity));
+        rows.y[0][0] = y.x;
+        rows.y[1][0] = y.y;
+        rows.y[2][0] = y.z;
+        rows.gap[0] = window.gap;
+        rows.core[0] = double(core(memory.place));
+        gather(rows, tool_, &memory.place, 1, growth_);
+        plain_landing(rows, 1, landing_limits(window.depth, window.proximity));
         if (rows.certain[0] > 0) {
             Landing& landing = found.retained.landing;
             landing.b = rows.b[0];
@@ -107,9 +106,13 @@ void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memo
         }
         return;
     }
+    keep_quiet(y, memory);
+}
+
+void Search::keep_quiet(const V3& y, Memory& memory) const {
     const double clear = clearance(y);
     memory.from = y;
-    memory.quiet = clear > 0 ? std::nextafter(static_cast<float>(clear), 0.0F) : 0.0F;
+    memory.radius = clear > 0 ? std::nextafter(static_cast<float>(clear), 0.0F) : 0.0F;
 }
 
 bool Search::certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {
@@ -125,11 +128,11 @@ bool Search::certified(const V3& y, const Window& window, const Rules& rules, Me
     if (result.verdict == Verdict::beyond) {
         // Proven to lie outside its own reaches; the core holds between the largest ones.
         if (!(landing.height <= limits_.outward && landing.height >= -limits_.inward)) return false;
-        memory.quiet = 0;
+        memory.forget();
         return true;
     }
     if (landing.side == 0) return false;
-    memory.quiet = 0;
+    memory.forget();
     if (!reach_box_.holds(y, segment, window)) return true;
     found.retained = {rank, piece, landing, Settled::filter};
     return true;

@@ -8,34 +8,33 @@
 
 #include "optimized/decide/decide.h"
 #include "optimized/decide/fine_landing.h"
+#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/box_tree.h"
+#include "optimized/search/gather.h"
 #include "optimized/search/prism.h"
-#include "optimized/search/tool.h"
 
 namespace type21::optimized {
 
 /// What a node remembers to be quick. It never changes an answer: it only says where to look first, and everything that
 /// is concluded from it is proven for the place where the node is now.
 struct Memory {
-    int place = -1;   ///< sub-triangle retained last, as place_of gives it
-    float quiet = 0;  ///< no sub-triangle takes the node within this of `from` [length]; 0: not known
-    V3 from;          ///< [length]
-};
+    int place = -1;    ///< sub-triangle retained last, as place_of gives it
+    float radius = 0;  ///< of the ball around `from`, @see Search; > 0: quiet, < 0: steady, 0: none [length]
+    V3 from;           ///< [length]
 
-/// Sub-triangle k of a segment as one number, and back.
-inline int place_of(int segment, int piece) {
-    return 4 * segment + piece - 1;
-}
-inline int segment_of(int place) {
-    return place >> 2;
-}
-inline int piece_of(int place) {
-    return (place & 3) + 1;
-}
+    /// Does the ball hold y? Sums of three squares are right to 3 ulp; that of a float is exact.
+    bool within(const V3& y) const {
+        const V3 way = y - from;
+        return dot(way, way) * (1 + 1e-14) < double(radius) * double(radius);
+    }
+    bool quiet_at(const V3& y) const { return radius > 0 && within(y); }
+    void forget() { radius = 0; }
+};
 
 /// How a node's decision came about.
 enum class Path {
     certified,  ///< the sub-triangle of the last cycle, and no other can take the node there
+    steady,     ///< that sub-triangle, and the node has moved less than what that is proven for
     paired,     ///< that sub-triangle or its neighbour over one side, and no other can take the node there
     quiet,      ///< nothing takes it: it has moved less than its clearance
     searched    ///< all that may take it were asked
@@ -43,8 +42,11 @@ enum class Path {
 
 /// How many decisions came about how.
 struct PathTally {
-    long certified = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
+    long certified = 0, steady = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
     void add(const PathTally& other);
+    /// Are nodes asked again so often that cores pay? Finding the four of a segment costs about as much as eight
+    /// searches; while a ball holds for thirty cycles and more, searching is cheaper.
+    bool asks_for_cores(long nodes) const { return 32 * (searched + paired) > nodes; }
 };
 
 /// D34: the box in which a node must lie before a segment competes at all.
@@ -54,6 +56,11 @@ struct ReachBoxRule {
     double proximity = 0;  ///< [length]
     bool holds(const V3& y, const SegmentData& segment, const Window& window) const;
 };
+
+/// Added to m(T) where foreseen() does not hold.
+constexpr float beyond_foreseen = 4;
+/// Weights >= weight_limit stay >= -rate_weights within this over their rate.
+constexpr double rate_reach = 0.05;
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
@@ -70,6 +77,13 @@ struct ReachBoxRule {
 /// Corners. T leads at its corner V when it has the lowest number of all that have V, and no point that T takes with a
 /// weight of V >= lead_weight is taken by any that has not. Exactly above V all that have it are tied (tie.h): if T
 /// takes the node, it is retained.
+///
+/// Steady. Where T is retained, a ball around the node in which every sub-triangle that takes it has a larger kappa than
+/// T: as long as T takes it as contact, T is retained. A sub-triangle that takes the node now, or is only too far from
+/// it, keeps its distance in kappa for (kappa' - kappa) / (2 (rate + rate')), the rates being those of rates.h; one
+/// whose weights are below the limit by w cannot take it within w / rate', and one out of whose box, or heights, the
+/// node is needs that way. Both rates hold for 0.05 / rate, where weights are still >= -rate_weights. Near a side m2(T)
+/// leaves E alone to be asked, within (w - m2) / rate. Gaps are not part of this: a ball outlives their change.
 ///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
@@ -88,6 +102,7 @@ class Search {
 
         int count = 0;
         double depth = 0, proximity = 0;  ///< of all [length]
+        bool cores = true;                ///< find those that are not known; else nodes are searched for again
         Memory* memory[room];             ///< nullptr: not asked
         alignas(64) Row y[3];             ///< in the tool frame [length]
         alignas(64) Row gap;              ///< that decides contact [length]
@@ -107,11 +122,17 @@ class Search {
             int column, own, other;  ///< node, and places
             int side;                ///< of own, to which the other lies over: that opposite to this weight
             double kappa;            ///< of own
+            double room;             ///< of its weights along the side, over m2
+        };
+        struct Candidate {
+            int column, place;  ///< node, and what may take it
+            double apart;       ///< of the node from the box of its segment, at least [length]
         };
         LandingRows rows, partners;
         FineKappaRows fine;
         Pair pairs[LandingRows::room], close[room];
-        int pair_count = 0, close_count = 0;
+        Candidate candidates[LandingRows::room];
+        int pair_count = 0, close_count = 0, candidate_count = 0;
     };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
@@ -123,7 +144,9 @@ class Search {
         Memory* memory = nullptr;
     };
     void find(const Asked* asked, int count, const Rules& rules, Found* found) const;
-    /// The same without memory and certificates.
+    /// The same of all nodes of a batch, without what they remember: the memory is taken away from them.
+    void search(Batch& batch, const Rules& rules) const;
+    /// The same of one node.
     Retained search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes = true) const;
 
     const Limits& limits() const { return limits_; }
@@ -134,6 +157,7 @@ class Search {
     struct Margins {
         std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
         std::atomic<float> pair;   ///< m2(T)
+        std::atomic<float> rate;   ///< of its weights, 1e30: none; infinite: foreseen() does not hold; < 0: not known yet
     };
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
@@ -142,6 +166,18 @@ class Search {
         return margin >= 0 ? margin : new_core(place);
     }
     float new_core(int place) const;
+    bool core_known(int place) const {
+        return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_relaxed) >= 0;
+    }
+    /// Known to be one whose projections have to be filtered.
+    bool filtered(int place) const {
+        return place >= 0 && margins_[static_cast<size_t>(place)].alone.load(std::memory_order_relaxed) >= beyond_foreseen;
+    }
+    float rate(int place) const {
+        const float known = margins_[static_cast<size_t>(place)].rate.load(std::memory_order_relaxed);
+        return known >= 0 ? known : new_rate(place);
+    }
+    float new_rate(int place) const;
     void find_cores(int segment) const;
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;
@@ -149,24 +185,49 @@ class Search {
     bool has_corner(int place, int vertex) const;
     bool first_at(int place, int i, std::span<const int> segments) const;
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
+    void keep_quiet(const V3& y, Memory& memory) const;
+    void keep_quiet(const Batch& batch, int i, double radius) const;
+    void keep_steady(const Batch& batch, int i, int place, double radius) const;
+    void ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const;
     LandingLimits landing_limits(double depth, double proximity) const;
-    void fill(LandingRows& rows, int column, int place) const;
-    void fill(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
-    /// Nodes first to first + count of the batch. @param open  filled with those that are left
+    /// Where node i of the batch is, and whether the bounds of the place are foreseen.
+    void ask_at(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
+    /// These nodes of the batch, where they were last. @param open  filled with those that are left
     /// @return how many are left
-    int find_part(Batch& batch, int first, int count, const Rules& rules, int* open) const;
-    /// Does the node in column i of the rows lie exactly above a corner where its place leads? Then it is decided.
-    bool over_corner(Batch& batch, int first, int i) const;
+    int look_again(Batch& batch, const int* nodes, int count, const Rules& rules, int* open) const;
+    void land_again(Batch& batch, const int* nodes, int count) const;
+    /// Does node i, in this column of the rows, lie exactly above a corner where its place leads? Then it is decided.
+    bool over_corner(Batch& batch, int i, int column) const;
     /// Proven: the two of a pair that both take the node are tied.
     bool over_shared_side(const Batch& batch, const Batch::Pair& pair) const;
-    /// Is the node in column i of the rows one of a pair? Then it is put among them.
-    bool pair_up(Batch& batch, int first, int i) const;
+    /// Is node i, in this column of the rows, one of a pair? Then it is put among them.
+    bool pair_up(Batch& batch, int i, int column) const;
     /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
     void decide_pairs(Batch& batch, const Rules& rules) const;
     /// 100 bits for them.
     void decide_close(Batch& batch, const Rules& rules) const;
-    enum class Standing { unknown, taken, rejected };
+    /// Does a sub-triangle take a node as contact? Known only where the bounds are foreseen, and away from every limit
+    /// by more than the filter needs.
+    enum class Standing {
+        unknown,
+        taken,
+        lands,    ///< if it is near enough, which is not known
+        beyond,   ///< it would if it were nearer
+        rejected  ///< not here, however near
+    };
     Standing standing(const LandingRows& rows, int column, double depth, int place) const;
+    double clipped_distance(const LandingRows& rows, int column, int place) const;
+    /// Within this of the node the sub-triangle, whose rate is given, cannot take it, or only with a larger kappa than
+    /// `least`, whose rate is `least_rate`; <= 0: not known.
+    double ball(const LandingRows& rows, int column, Standing standing, double rate, double least,
+                double least_rate) const;
+    /// Asks all that may take the nodes side by side; those that are left are asked one after the other.
+    /// @param remembers  balls are wanted
+    void ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const;
+    /// Lands what candidates there are, and decides the nodes whose candidates are there.
+    void decide_candidates(Batch& batch, const Rules& rules, bool remembers) const;
+    bool decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const;
+    Retained tell_apart(const Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
     Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
     void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
     void put(Batch& batch, int i, const Found& found) const;
@@ -174,9 +235,11 @@ class Search {
 
     const Tool& tool_;
     Limits limits_;
+    double growth_;  ///< max(outward, inward) [length]
     ReachBoxRule reach_box_;
     BoxTree tree_;
     double usual_clearance_;                ///< clearances are not looked for beyond it [length]
+    double usual_ball_;                     ///< balls of steady nodes likewise [length]
     mutable std::vector<Margins> margins_;  ///< four for a segment; alone < 0: not known yet
     /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.

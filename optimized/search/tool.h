@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "optimized/decide/segment.h"
@@ -39,16 +40,29 @@ class Tool {
     /// Position and normal of a corner.
     const V3& node(int rank, int j) const { return vertex(rank, j).position; }
     const V3& normal(int rank, int j) const { return vertex(rank, j).normal; }
+    /// Position and normal of a corner, six numbers in a row.
+    const double* numbers(int rank, int j) const { return &vertex(rank, j).position.x; }
+    /// Hints to the processor: what a segment is will be asked soon; then where its corners are.
+    void prefetch_segment(int rank) const {
+        __builtin_prefetch(&corner_[static_cast<size_t>(rank)]);
+        __builtin_prefetch(&extent_[static_cast<size_t>(rank)]);
+    }
+    void prefetch_corners(int rank) const {
+        for (const int v : corner_[static_cast<size_t>(rank)])
+            __builtin_prefetch(&vertex_[static_cast<size_t>(v)]);
+    }
     size_t bytes() const {
         return vertex_.capacity() * sizeof(Vertex) + corner_.capacity() * sizeof(corner_[0]) +
                extent_.capacity() * sizeof(float);
     }
 
   private:
-    struct Vertex {
+    /// A line of the cache.
+    struct alignas(64) Vertex {
         V3 position;  ///< [length]
         V3 normal;    ///< [-]
     };
+    static_assert(offsetof(Vertex, normal) == 3 * sizeof(double));
     const Vertex& vertex(int rank, int j) const {
         return vertex_[static_cast<size_t>(corner_[static_cast<size_t>(rank)][static_cast<size_t>(j)])];
     }

@@ -40,8 +40,22 @@ BareStep::BareStep(const BenchScene& scene, bool rubbing)
     nodes_.memory.resize(n);
     if (rubbing_) nodes_.friction.resize(n);
     place_.resize(n);
+    retained_.assign(n, -1);
+    side_.resize(n);
     force_.resize(n);
     step_stiffness_.resize(n);
+}
+
+std::vector<Decision> BareStep::decisions() const {
+    std::vector<Decision> all(retained_.size());
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (retained_[i] < 0) continue;
+        all[i].kind = Kind::contact;  // there is no proximity here
+        all[i].segment = optimized::segment_of(retained_[i]);
+        all[i].triangle = optimized::piece_of(retained_[i]);
+        all[i].side = side_[i];
+    }
+    return all;
 }
 
 /// Time 0 has rules of its own: the product's kernel for one node after the other knows them.
@@ -57,6 +71,7 @@ void BareStep::at_time_zero(const optimized::Cycle& cycle) {
 template <bool rubbing, BareStep::Until until, BareStep::Sums how>
 void BareStep::run(const Motion& motion) {
     const optimized::Cycle cycle(*laws_, motion, laws_->card->inacti);
+    work_->batch->cores = tally_.asks_for_cores(static_cast<long>(nodes_.node.size()));
     tally_ = {};
     searched_.clear();
     paired_.clear();
@@ -88,6 +103,11 @@ void BareStep::run(const Motion& motion) {
         laws_->search->find(batch, laws_->rules);
         tally_.add(batch.tally);
         if constexpr (until == Until::decide) {
+            std::memcpy(retained_.data() + first, batch.place, static_cast<size_t>(batch.count) * sizeof(int));
+            std::memcpy(side_.data() + first, batch.side, static_cast<size_t>(batch.count));
+            continue;
+        }
+        if constexpr (until == Until::look) {
             for (int j = 0; j < batch.count; ++j) {
                 place_[static_cast<size_t>(first + j)] = {batch.y[0][j], batch.y[1][j], batch.y[2][j]};
                 if (batch.path[j] == optimized::Path::searched) searched_.push_back(first + j);
@@ -152,6 +172,7 @@ template <bool rubbing>
 void BareStep::dispatch(const Motion& motion, Until until, Sums sums) {
     if (until == Until::transform) return run<rubbing, Until::transform, Sums::exact>(motion);
     if (until == Until::decide) return run<rubbing, Until::decide, Sums::exact>(motion);
+    if (until == Until::look) return run<rubbing, Until::look, Sums::exact>(motion);
     if (until == Until::force) return run<rubbing, Until::force, Sums::exact>(motion);
     if (sums == Sums::plain) return run<rubbing, Until::sum, Sums::plain>(motion);
     run<rubbing, Until::sum, Sums::exact>(motion);

@@ -16,7 +16,8 @@ namespace type21::bench {
 
 class BareStep {
   public:
-    enum class Until { transform, decide, force, sum };
+    /// `look` is `decide` and tells how the decisions came about.
+    enum class Until { transform, decide, look, force, sum };
     enum class Sums { exact, plain };
 
     /// @param rubbing  damping and friction of the card; otherwise it is elastic
@@ -30,12 +31,14 @@ class BareStep {
 
     const optimized::Laws& laws() const { return *laws_; }
     const optimized::Search& search() const { return *laws_->search; }
-    /// Where the nodes were in the last cycle, in the tool frame.
+    /// What the last cycle until `decide` retained.
+    std::vector<Decision> decisions() const;
+    /// Where the nodes were in the last cycle until `look`, in the tool frame.
     const std::vector<optimized::V3>& place() const { return place_; }
     const std::vector<optimized::Memory>& memory() const { return nodes_.memory; }
-    /// Ranks of the nodes that the last cycle had to search for.
+    /// Ranks of the nodes that it had to search for.
     const std::vector<int>& searched() const { return searched_; }
-    /// Ranks of those that the last cycle decided between two sub-triangles.
+    /// Ranks of those that it decided between two sub-triangles.
     const std::vector<int>& paired() const { return paired_; }
     optimized::Window window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
 
@@ -53,6 +56,8 @@ class BareStep {
     std::vector<Vec3> force_;
     std::vector<double> step_stiffness_;
     std::vector<int> searched_, paired_;
+    std::vector<int> retained_;      ///< place of each node, -1: none
+    std::vector<signed char> side_;  ///< its side
     optimized::PathTally tally_;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();

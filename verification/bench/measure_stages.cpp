@@ -95,12 +95,13 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             force(scene, true, Until::force), sum(scene, true), plain(scene, true, Until::sum, Sums::plain);
         ContactRun product(scene);
         Rounds rounds;
-        decide.next();  // time 0, which has no stages
-        decide.next();
-        std::vector<LandingRows> rows = projections(decide.bare, std::min<size_t>(scene.nodes(), 16384));
-        const optimized::Limits& reach = decide.bare.search().limits();
-        const optimized::LandingLimits limits{reach.outward, reach.inward, decide.bare.window(0).depth, 0, true};
-        AskedAgain paired(decide.bare, decide.bare.paired());
+        BareRun look(scene, true, Until::look);
+        for (int c = 0; c < 4; ++c)
+            look.next();  // time 0 has no stages, and balls are young
+        std::vector<LandingRows> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 16384));
+        const optimized::Limits& reach = look.bare.search().limits();
+        const optimized::LandingLimits limits{reach.outward, reach.inward, look.bare.window(0).depth, 0, true};
+        AskedAgain paired(look.bare, look.bare.paired());
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(
             "product", [&] { return product.next(true); }, effort.cycles);
@@ -127,7 +128,7 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             return watch.nanoseconds() / nodes;
         });
         rounds.add("search", [&] {
-            const BareStep& bare = decide.bare;
+            const BareStep& bare = look.bare;
             const Watch watch(true);
             for (const int i : bare.searched())
                 keep(bare.search().search(bare.place()[static_cast<size_t>(i)], bare.window(static_cast<size_t>(i)),

@@ -3,108 +3,67 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimized/decide/local_segment.h"
+#include "optimized/decide/foreseen_bounds.h"
+#include "optimized/search/segment_boxes.h"
 
 namespace type21::bench {
 
-namespace {
-
-using optimized::LocalSegment;
-using optimized::SegmentData;
+using optimized::LandingRows;
 using optimized::V3;
-using optimized::Window;
 
-constexpr double low = -0.01, high = 1.01;
+PlainSearch::PlainSearch(const optimized::Tool& tool, const optimized::Limits& limits)
+    : tool_(tool), limits_(limits), tree_(segment_boxes(tool, limits)) {}
 
-bool outside(double b, double c, double total) {
-    return b < low * total || c < low * total || b + c > high * total;
-}
-
-struct Landed {
-    Kind kind = Kind::none;
-    int side = 0;
-    double b = 0, c = 0, kappa = 0;
-};
-
-/// Formulation section 3 in the coordinates of the triangle, A = (0, 0), B = (1, 0), C = (0, 1).
-Landed land(const V3& p, const SegmentData& segment, const LocalSegment& local, int k, const Window& window) {
-    const optimized::PieceCorners corner = optimized::piece_corners(segment.triangle, k);
-    const V3& nb = segment.normal[static_cast<size_t>(corner.b)];
-    const V3& nc = segment.normal[static_cast<size_t>(corner.c)];
-    const V3& na = local.center_normal;
-    const V3 e1 = local.corner[static_cast<size_t>(corner.b)] - local.center;
-    const V3 e2 = local.corner[static_cast<size_t>(corner.c)] - local.center;
-    const V3 u = (p - local.origin) - local.center;
-    const V3 area = cross(e1, e2);
-    const double of_square = 1 / dot(area, area);
-    const double height = dot(u, area);
-    const double slope_a = dot(na, area), slope_b = dot(nb, area), slope_c = dot(nc, area);
-    if (!(slope_a > 0 && slope_b > 0 && slope_c > 0)) return {};
-    const V3 g1 = cross(e2, area) * of_square, g2 = cross(area, e1) * of_square;
-    const double px = dot(u, g1), py = dot(u, g2);
-    const double xa = dot(na, g1), ya = dot(na, g2), xb = dot(nb, g1), yb = dot(nb, g2), xc = dot(nc, g1),
-                 yc = dot(nc, g2);
-    const double ra = height / slope_a, rb = height / slope_b, rc = height / slope_c;
-    const double ax = ra * xa - px, ay = ra * ya - py;
-    const double bx = 1 + rb * xb - px, by = rb * yb - py;
-    const double cx = rc * xc - px, cy = 1 + rc * yc - py;
-    const double wa = bx * cy - by * cx, wb = cx * ay - cy * ax, wc = ax * by - ay * bx, total = wa + wb + wc;
-    if (!(total > 0) || outside(wb, wc, total)) return {};
-    const double inverse = 1 / total, a1 = wa * inverse, b1 = wb * inverse, c1 = wc * inverse;
-    const double slope = a1 * slope_a + b1 * slope_b + c1 * slope_c;
-    if (!(slope > 0)) return {};
-    const double lift = height / slope;
-    Landed out;
-    out.b = px - (a1 * xa + b1 * xb + c1 * xc) * lift;
-    out.c = py - (a1 * ya + b1 * yb + c1 * yc) * lift;
-    if (outside(out.b, out.c, 1)) return {};
-    const double ca = std::clamp(1 - out.b - out.c, 0.0, 1.0), cb = std::clamp(out.b, 0.0, 1.0),
-                 cc = std::clamp(out.c, 0.0, 1.0), sum = ca + cb + cc;
-    const V3 offset = u - (e1 * (cb / sum) + e2 * (cc / sum));
-    const double distance2 = dot(offset, offset);
-    out.side = height < 0 ? -1 : 1;
-    const double limit = out.side > 0 ? window.gap : window.depth;
-    if (distance2 < limit * limit)
-        out.kind = Kind::contact;
-    else if (out.side > 0 && distance2 < window.proximity * window.proximity)
-        out.kind = Kind::proximity;
-    out.kappa = std::abs(1.0 / 3 - out.b) + std::abs(1.0 / 3 - out.c) + std::abs(2.0 / 3 - out.b - out.c);
-    return out;
-}
-
-}  // namespace
-
-PlainSearch::PlainSearch(const optimized::Tool& tool, const optimized::Limits& limits) : tool_(tool) {
-    std::vector<optimized::Box> boxes(static_cast<size_t>(tool.size()));
-    for (int s = 0; s < tool.size(); ++s) {
-        const SegmentData segment = tool.segment(s);
-        for (int k = 1; k <= segment.pieces(); ++k)
-            boxes[static_cast<size_t>(s)].extend(prism(segment, k, limits).box());
+void PlainSearch::at(std::span<const V3> y, std::span<const double> gap, double depth, std::span<Decision> found) {
+    std::fill(found.begin(), found.end(), Decision{});
+    kappa_.assign(found.size(), HUGE_VAL);
+    for (size_t i = 0; i < y.size(); ++i) {
+        tree_.at(y[i], [&](int s) {
+            for (int k = 1; k <= (tool_.is_triangle(s) ? 1 : 4); ++k) {
+                if (count_ == LandingRows::room) decide(gap, depth, found);
+                for (int a = 0; a < 3; ++a)
+                    rows_.y[a][count_] = y[i][a];
+                candidates_[count_++] = {static_cast<int>(i), optimized::place_of(s, k)};
+            }
+        });
     }
-    tree_ = optimized::BoxTree(boxes);
+    decide(gap, depth, found);
 }
 
-Decision PlainSearch::at(const V3& y, const Window& window) const {
-    Decision best;
-    double kappa = 0;
-    tree_.at(y, [&](int s) {
-        const SegmentData segment = tool_.segment(s);
-        const LocalSegment local = local_segment(segment);
-        for (int k = 1; k <= segment.pieces(); ++k) {
-            const Landed one = land(y, segment, local, k, window);
-            if (one.kind == Kind::none) continue;
-            bool better = best.kind == Kind::none;
-            if (!better && one.kind != best.kind)
-                better = one.kind == Kind::contact;
-            else if (!better)
-                better = one.kappa < kappa ||
-                         (one.kappa == kappa && (s < best.segment || (s == best.segment && k < best.triangle)));
-            if (!better) continue;
-            best = {one.kind, s, k, one.side, one.b, one.c, Stage::bounded};
-            kappa = one.kappa;
+/// Formulation sections 3 and 4 on the numbers as they are.
+void PlainSearch::decide(std::span<const double> gap, double depth, std::span<Decision> found) {
+    if (count_ == 0) return;
+    int place[LandingRows::room];
+    for (int c = 0; c < count_; ++c)
+        place[c] = candidates_[c].place;
+    gather(rows_, tool_, place, count_, std::max(limits_.outward, limits_.inward));
+    plain_landing(rows_, count_, {limits_.outward, limits_.inward, depth, 0, false});
+    for (int c = 0; c < count_; ++c) {
+        const LandingRows& r = rows_;
+        constexpr double low = optimized::weight_limit;
+        const double a = 1 - r.b[c] - r.c[c], b = r.b[c], q = r.c[c];
+        const bool lands = r.total[c] > 0 && std::min({r.weight[0][c], r.weight[1][c], r.weight[2][c]}) >= low &&
+                           std::min({a, b, q}) >= low;
+        if (!lands) continue;
+        const auto i = static_cast<size_t>(candidates_[c].node);
+        const double kappa = optimized::kappa_of(b, q);
+        const int segment = optimized::segment_of(place[c]), piece = optimized::piece_of(place[c]);
+        Decision& best = found[i];
+        const bool lower = segment < best.segment || (segment == best.segment && piece < best.triangle);
+        if (kappa > kappa_[i] || (kappa == kappa_[i] && !lower)) continue;
+        const V3 n{r.n[0][c], r.n[1][c], r.n[2][c]};
+        double distance = std::abs(r.lift[c]) * norm(n);
+        if (std::min({a, b, q}) < 0) {
+            const double ca = std::max(a, 0.0), cb = std::max(b, 0.0), cc = std::max(q, 0.0), sum = ca + cb + cc;
+            distance = norm(optimized::offset_from_landing({r.y[0][c], r.y[1][c], r.y[2][c]}, tool_.segment(segment),
+                                                           piece, cb / sum, cc / sum));
         }
-    });
-    return best;
+        const bool front = r.height[c] >= 0;
+        if (!(distance < (front ? gap[i] : depth))) continue;
+        best = {Kind::contact, segment, piece, front ? 1 : -1, b, q, Stage::bounded};
+        kappa_[i] = kappa;
+    }
+    count_ = 0;
 }
 
 }  // namespace type21::bench

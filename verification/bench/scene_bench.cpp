@@ -53,15 +53,22 @@ SurfaceMesh SceneBench::mesh() const {
 }
 
 template <class Ask>
-double SceneBench::ask(size_t& start, const Ask& ask) {
+double SceneBench::ask_part(size_t& start, const Ask& ask_all) {
     const size_t count = std::min(place_.size(), static_cast<size_t>(effort_.questions));
     if (start + count > place_.size()) start = 0;
     const Watch watch(true);
-    for (size_t i = start; i < start + count; ++i)
-        keep(ask(i));
+    ask_all(start, count);
     const double time = watch.nanoseconds() / static_cast<double>(count);
     start += count;
     return time;
+}
+
+template <class Ask>
+double SceneBench::ask(size_t& start, const Ask& ask) {
+    return ask_part(start, [&](size_t first, size_t count) {
+        for (size_t i = first; i < first + count; ++i)
+            keep(ask(i));
+    });
 }
 
 void SceneBench::add_product() {
@@ -76,15 +83,27 @@ void SceneBench::add_product() {
         place_.push_back(
             optimized::from(pose.rotation.transpose() * (motion.position[static_cast<size_t>(node)] - pose.position)));
     if (!generated()) return;
-    const Interface& card = scene_.card();
-    rounds_.add(full, [&] {
-        return ask(at_[0], [&](size_t i) {
-            return laws_->search->search(place_[i], {card.secondary.gap[i], card.depth, 0}, laws_->rules);
+    // A step that stops when it knows what each node touches.
+    select_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::decide);
+    rounds_.add(
+        select, [&] { return select_->next(); }, effort_.cycles);
+    found_.resize(place_.size());
+    const std::span<const optimized::V3> place(place_);
+    const std::span<Decision> found(found_);
+    full_ = std::make_unique<FullSearch>(*laws_);
+    rounds_.add(full, [this, place, found] {
+        return ask_part(at_[0], [&](size_t first, size_t count) {
+            full_->at(place.subspan(first, count), gaps().subspan(first, count), found.subspan(first, count));
+            keep(found_);
         });
     });
     plain_ = std::make_unique<PlainSearch>(laws_->tool, laws_->search->limits());
-    rounds_.add(plain, [&] {
-        return ask(at_[1], [&](size_t i) { return plain_->at(place_[i], {card.secondary.gap[i], card.depth, 0}); });
+    rounds_.add(plain, [this, place, found] {
+        return ask_part(at_[1], [&](size_t first, size_t count) {
+            plain_->at(place.subspan(first, count), gaps().subspan(first, count), scene_.card().depth,
+                       found.subspan(first, count));
+            keep(found_);
+        });
     });
 }
 
@@ -152,11 +171,13 @@ void SceneBench::run() {
     const double asked = std::max(1.0, static_cast<double>(after.nodes - before.nodes));
     if (after.nodes > before.nodes)
         row_.paths = {{"certified", static_cast<double>(after.certified - before.certified) / asked},
+                      {"steady", static_cast<double>(after.steady - before.steady) / asked},
                       {"paired", static_cast<double>(after.paired - before.paired) / asked},
                       {"quiet", static_cast<double>(after.quiet - before.quiet) / asked},
                       {"searched", static_cast<double>(after.searched - before.searched) / asked}};
     judge();
     add_ratio("reference step / coherent step", reference_step, coherent);
+    add_ratio("Embree's full search / coherent selection", embree, select);
     add_ratio("Embree's full search / coherent step", embree, coherent);
     add_ratio("Embree's full search / full search", embree, full);
     add_ratio("CGAL's full search in double / full search", cgal, full);

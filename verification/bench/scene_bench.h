@@ -11,6 +11,7 @@
 #include "verification/bench/candidate_list.h"
 #include "verification/bench/closest_point.h"
 #include "verification/bench/contact_run.h"
+#include "verification/bench/full_search.h"
 #include "verification/bench/plain_search.h"
 #include "verification/lockstep/step_difference.h"
 
@@ -18,7 +19,7 @@ namespace type21::bench {
 
 /// "implementation, method" of the rows.
 namespace method {
-inline const std::string coherent = "optimized, coherent step", whole = "optimized, coherent step with the report",
+inline const std::string coherent = "optimized, coherent step", select = "optimized, coherent selection", whole = "optimized, coherent step with the report",
                          full = "optimized, full search", plain = "plain double, full search",
                          reference_step = "reference, step", embree = "Embree, point query with double callback",
                          cgal = "CGAL AABB tree, closest point in double",
@@ -47,9 +48,13 @@ class SceneBench {
     ContactRun set_up();
     template <class Make>
     auto timed_set_up(const std::string& who, const Make& make);
-    /// Times one round of questions of a full search over the next part of the nodes.
+    /// Times one round of questions of a full search over the next part of the nodes: all of them by ask_all(first,
+    /// count), or each by ask(i).
+    template <class Ask>
+    double ask_part(size_t& start, const Ask& ask_all);
     template <class Ask>
     double ask(size_t& start, const Ask& ask);
+    std::span<const double> gaps() const { return scene_.card().secondary.gap; }
     void add_row(const std::string& name, const std::string& finds, bool history, long decisions, long wrong,
                  const std::string& note = {});
     void add_ratio(const std::string& what, const std::string& slow, const std::string& fast);
@@ -67,7 +72,10 @@ class SceneBench {
     ContactRun run_;
     std::unique_ptr<optimized::Laws> laws_;
     std::vector<optimized::V3> place_;
+    std::unique_ptr<BareRun> select_;
+    std::unique_ptr<FullSearch> full_;
     std::unique_ptr<PlainSearch> plain_;
+    std::vector<Decision> found_;
     std::unique_ptr<CandidateList> list_;
     std::unique_ptr<ClosestPoint> embree_, cgal_, epick_;
     std::unique_ptr<reference::Contact> reference_;

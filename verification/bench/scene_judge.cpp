@@ -37,8 +37,8 @@ void SceneBench::add_ratio(const std::string& what, const std::string& slow, con
 void SceneBench::judge() {
     const long n = static_cast<long>(place_.size());
     std::vector<Decision> truth;
-    std::vector<long> settled(4, 0);
-    long step_decisions = n, step_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0, in_contact = 0;
+    std::array<long, 4> settled{};
+    long step_decisions = n, step_wrong = 0, select_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0, in_contact = 0;
     if (generated()) {
         tbb::task_arena several(options_.threads.back());
         truth = several.execute([&] { return Truth(scene_).at(scene_.motion(0)); });
@@ -48,16 +48,20 @@ void SceneBench::judge() {
             step_wrong += !same(step.nodes[i].decision, truth[i]);
             in_contact += truth[i].kind == Kind::contact;
         }
-        const Interface& card = scene_.card();
         if (list_) list_->search(scene_.motion(0));
+        Motion later = scene_.motion(0);
+        later.time = 1;  // time 0 has a way of its own
+        select_->bare.step(later, BareStep::Until::decide);
+        const std::vector<Decision> selected = select_->bare.decisions();
+        FullSearch fresh(*laws_);
+        std::vector<Decision> full_found(place_.size()), plain_found(place_.size());
+        fresh.at(place_, gaps(), full_found);
+        settled = fresh.settled();
+        plain_->at(place_, gaps(), scene_.card().depth, plain_found);
         for (size_t i = 0; i < truth.size(); ++i) {
-            const optimized::Window window{card.secondary.gap[i], card.depth, 0};
-            const optimized::Retained r = laws_->search->search(place_[i], window, laws_->rules);
-            Decision decision;
-            if (r.segment >= 0) decision = {r.landing.kind, r.segment, r.piece, r.landing.side, 0, 0, Stage::bounded};
-            ++settled[static_cast<size_t>(r.settled)];
-            full_wrong += !same(decision, truth[i]);
-            plain_wrong += !same(plain_->at(place_[i], window), truth[i]);
+            select_wrong += !same(selected[i], truth[i]);
+            full_wrong += !same(full_found[i], truth[i]);
+            plain_wrong += !same(plain_found[i], truth[i]);
             if (!list_) continue;
             const CandidateList::Retained& l = list_->retained()[i];
             list_wrong += (l.segment >= 0) != (truth[i].kind == Kind::contact) || l.segment != truth[i].segment ||
@@ -78,6 +82,7 @@ void SceneBench::judge() {
             run_.has_lean() ? "" : "this scene has no lean step: the whole one");
     add_row(whole, "impact and forces", true, step_decisions, step_wrong);
     if (generated()) {
+        add_row(select, "impact", true, n, select_wrong);
         add_row(full, "impact", false, n, full_wrong);
         add_row(plain, "impact", false, n, plain_wrong);
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <malloc.h>
+#include <numeric>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "verification/bench/bare_step.h"
 #include "verification/bench/candidate_list.h"
 #include "verification/bench/contact_run.h"
+#include "verification/bench/full_search.h"
 #include "verification/bench/plain_search.h"
 #include "verification/bench/truth.h"
 
@@ -162,11 +164,20 @@ TEST(CandidateList, SortsAgainWhenSomethingHasMovedByTheMargin) {
 TEST(PlainSearch, IsRightBesideTies) {
     const BenchScene scene = pan_bench("pan", 2000, 1500);
     const auto laws = laws_with_search(scene.scene, 0);
-    const PlainSearch plain(laws->tool, laws->search->limits());
     const std::vector<Decision> truth = Truth(scene).at(scene.motion(0));
-    const std::vector<Vec3> y = nodes_of(scene);
-    for (size_t i = 0; i < y.size(); ++i)
-        EXPECT_TRUE(same(plain.at(optimized::from(y[i]), {2, 2, 0}), truth[i])) << i;
+    std::vector<optimized::V3> y;
+    for (const Vec3& node : nodes_of(scene))
+        y.push_back(optimized::from(node));
+    const std::vector<double> gap(y.size(), 2);
+    std::vector<Decision> plain(y.size()), exact(y.size());
+    PlainSearch(laws->tool, laws->search->limits()).at(y, gap, 2, plain);
+    FullSearch full(*laws);
+    full.at(y, gap, exact);
+    for (size_t i = 0; i < y.size(); ++i) {
+        EXPECT_TRUE(same(plain[i], truth[i])) << i;
+        EXPECT_TRUE(same(exact[i], truth[i])) << i;
+    }
+    EXPECT_EQ(std::accumulate(full.settled().begin(), full.settled().end(), 0L), static_cast<long>(y.size()));
 }
 
 TEST(BareStep, GivesTheVeryForcesOfTheProduct) {

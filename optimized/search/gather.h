@@ -1,0 +1,25 @@
+/// @file Sub-triangles into the rows of a projection.
+#pragma once
+
+#include "optimized/decide/plain_landing.h"
+#include "optimized/search/tool.h"
+
+namespace type21::optimized {
+
+/// Sub-triangle k of a segment as one number, and back.
+inline int place_of(int segment, int piece) {
+    return 4 * segment + piece - 1;
+}
+inline int segment_of(int place) {
+    return place >> 2;
+}
+inline int piece_of(int place) {
+    return (place & 3) + 1;
+}
+
+/// Fills corner, normal, code and size of as many columns.
+/// @param growth  of foreseen_size [length]
+void gather(LandingRows& rows, const Tool& tool, const int* place, int count, double growth,
+            Machine machine = this_machine());
+
+}  // namespace type21::optimized

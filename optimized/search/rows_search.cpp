@@ -1,0 +1,236 @@
+// All that may take a node, side by side in the lanes of registers, for many nodes; and how long what is found holds.
+#include <algorithm>
+#include <cmath>
+
+#include "optimized/search/margins.h"
+#include "optimized/search/search.h"
+
+namespace type21::optimized {
+
+namespace {
+
+constexpr int most_segments = LandingRows::room / 4;  ///< around a node; with more it is asked alone
+
+struct Near {
+    int segment;
+    double apart;
+};
+
+}  // namespace
+
+double Search::ball(const LandingRows& rows, int i, Standing standing, double rate, double least,
+                    double least_rate) const {
+    if (standing == Standing::unknown) return 0;
+    const double cap = rate_reach / rate;
+    if (standing != Standing::taken) {
+        const double height = std::abs(rows.height[i]) / std::sqrt(rows.square[i]);
+        const double above = height * (1 - 1e-9) - (rows.height[i] > 0 ? limits_.outward : limits_.inward);
+        if (above > 0) return above - 2 * foreseen_share * rows.size[i];
+    }
+    if (standing != Standing::rejected)
+        return std::min(cap, (kappa_of(rows.b[i], rows.c[i]) - least - plain_share) / (2 * (rate + least_rate)));
+    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
+    const double low = inner < weight_limit - plain_share
+                           ? inner
+                           : std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
+    return std::min(cap, (weight_limit - plain_share - low) / rate);
+}
+
+/// One of these is retained, all of which take the node: a tie, or what it takes.
+Retained Search::tell_apart(const Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
+    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    Contender contenders[LandingRows::room];
+    std::array<SegmentData, LandingRows::room> segments;
+    for (int j = 0; j < count; ++j) {
+        const int c = columns[j], place = batch.candidates[c].place;
+        const double kappa = kappa_of(batch.rows.b[c], batch.rows.c[c]);
+        contenders[j] = {segment_of(place), piece_of(place), Kind::contact, false, kappa - plain_share,
+                         kappa + plain_share};
+        segments[static_cast<size_t>(j)] = tool_.segment(segment_of(place));
+    }
+    const auto n = static_cast<size_t>(count);
+    if (tied(y, {contenders, n}, {segments.data(), n}, window, rules)) {
+        int lowest = batch.candidates[columns[0]].place;
+        for (int j = 1; j < count; ++j)
+            lowest = std::min(lowest, batch.candidates[columns[j]].place);
+        Retained first;
+        first.segment = segment_of(lowest);
+        first.piece = piece_of(lowest);
+        first.settled = Settled::tie;
+        return first;
+    }
+    Decider decider(y, window, rules);
+    for (size_t j = 0; j < n; ++j)
+        decider.add(contenders[j].segment, contenders[j].piece,
+                    filter(y, segments[j], local_segment(segments[j]), contenders[j].piece, window, rules));
+    return decider.retained([&](int s) { return tool_.segment(s); });
+}
+
+/// The node whose candidates these are. @return false where that takes more than a plain projection
+bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const {
+    const LandingRows& rows = batch.rows;
+    const int i = batch.candidates[first].column;
+    int best = -1;
+    double least = HUGE_VAL, next = HUGE_VAL;
+    double lands = HUGE_VAL;  ///< smallest kappa of those that may take it
+    bool beyond = false;
+    Standing standings[LandingRows::room];
+    for (int c = first; c < last; ++c) {
+        const Batch::Candidate& one = batch.candidates[c];
+        const Standing stands = standings[c] = standing(rows, c, batch.depth, one.place);
+        if (stands == Standing::unknown && !(one.apart > 0)) return false;
+        beyond |= stands == Standing::beyond;
+        if (stands != Standing::taken && stands != Standing::lands) continue;
+        const double kappa = kappa_of(rows.b[c], rows.c[c]);
+        if (stands == Standing::lands) {
+            lands = std::min(lands, kappa);
+            continue;
+        }
+        if (kappa < least) {
+            next = least;
+            least = kappa;
+            best = c;
+        } else {
+            next = std::min(next, kappa);
+        }
+    }
+    // Within this of the node none of the others takes it, or only with a larger kappa.
+    const auto radius = [&] {
+        const double own = best < 0 ? 0.0 : double(rate(batch.candidates[best].place));
+        double all = usual_ball_;
+        for (int c = first; c < last; ++c) {
+            if (c == best) continue;
+            const Batch::Candidate& one = batch.candidates[c];
+            all = std::min(all, std::max(one.apart, ball(rows, c, standings[c], rate(one.place), least, own)));
+        }
+        return all;
+    };
+    batch.path[i] = Path::searched;
+    if (best < 0) {
+        if (lands < HUGE_VAL || (beyond && batch.proximity > 0)) return false;
+        ++batch.tally.searched;
+        batch.place[i] = -1;
+        if (remembers) keep_quiet(batch, i, radius());
+        return true;
+    }
+    if (!(lands - least > plain_share)) return false;
+    if (!(next - least > plain_share)) {
+        // Those that plain numbers do not tell apart; all others have lost.
+        int close[LandingRows::room], count = 0;
+        for (int c = first; c < last; ++c)
+            if (standings[c] == Standing::taken && !(kappa_of(rows.b[c], rows.c[c]) - least > plain_share))
+                close[count++] = c;
+        const Retained told = tell_apart(batch, i, close, count, rules);
+        for (int c = 0; c < count; ++c)
+            if (batch.candidates[close[c]].place == place_of(told.segment, told.piece)) best = close[c];
+        batch.settled[i] = told.settled;
+        batch.tally.fine += told.settled == Settled::fine;
+        batch.tally.whole += told.settled == Settled::whole;
+        least = HUGE_VAL;  // no ball
+    }
+    ++batch.tally.searched;
+    const int place = batch.candidates[best].place;
+    take(batch, i, place, rows, best);
+    if (remembers) keep_steady(batch, i, place, std::min(radius(), rate_reach / double(rate(place))));
+    return true;
+}
+
+/// @param radius  within which nothing takes the node; where nothing is nearer than usual, or no radius is known, all
+/// prisms are asked
+void Search::keep_quiet(const Batch& batch, int i, double radius) const {
+    Memory& memory = *batch.memory[i];
+    memory.from = {batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(memory.from, memory);
+    memory.radius = std::nextafter(static_cast<float>(radius), 0.0F);
+}
+
+void Search::keep_steady(const Batch& batch, int i, int place, double radius) const {
+    Memory& memory = *batch.memory[i];
+    memory.place = place;
+    memory.from = {batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    memory.radius = radius > 0 ? -std::nextafter(static_cast<float>(radius), 0.0F) : 0.0F;
+}
+
+void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers) const {
+    const int count = batch.candidate_count;
+    batch.candidate_count = 0;
+    if (count == 0) return;
+    LandingLimits limits = landing_limits(batch.depth, batch.proximity);
+    limits.decide = false;
+    int place[LandingRows::room] = {};
+    for (int c = 0; c < count; ++c) {
+        const Batch::Candidate& one = batch.candidates[c];
+        place[c] = one.place;
+        ask_at(batch.rows, c, one.place, batch, one.column);
+    }
+    gather(batch.rows, tool_, place, count, growth_);
+    plain_landing(batch.rows, count, limits);
+    for (int first = 0; first < count;) {
+        const int i = batch.candidates[first].column;
+        int last = first + 1;
+        while (last < count && batch.candidates[last].column == i)
+            ++last;
+        if (!decide_candidates(batch, first, last, rules, remembers)) ask_alone(batch, i, rules, remembers);
+        first = last;
+    }
+}
+
+void Search::ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const {
+    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    put(batch, i, remembers ? find(y, window, rules, *batch.memory[i]) : Found{search(y, window, rules)});
+}
+
+void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const {
+    // D34 asks for boxes, D35 lifts what leans, D11 lets contact and proximity compete: one node after the other.
+    const bool plain = !reach_box_.on && !limits_.lift_leaning && !(rules.one_race && batch.proximity > 0);
+    const double around = remembers ? usual_ball_ : 0;
+    for (int j = 0; j < count; ++j) {
+        const int i = open[j];
+        const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+        Near near[most_segments];
+        int segments = 0;
+        if (plain)
+            tree_.within(y, around, [&](int s, double apart) {
+                if (segments < most_segments) near[segments] = {s, apart};
+                ++segments;
+            });
+        if (!plain || segments > most_segments || (remembers && filtered(batch.memory[i]->place))) {
+            ask_alone(batch, i, rules, remembers);
+            continue;
+        }
+        if (segments == 0) {
+            batch.path[i] = Path::searched;
+            ++batch.tally.searched;
+            batch.place[i] = -1;
+            if (remembers) keep_quiet(batch, i, usual_ball_);
+            continue;
+        }
+        int columns = 0;
+        for (int s = 0; s < segments; ++s)
+            columns += tool_.is_triangle(near[s].segment) ? 1 : 4;
+        if (batch.candidate_count + columns > LandingRows::room) decide_candidates(batch, rules, remembers);
+        for (int s = 0; s < segments; ++s) {
+            const int pieces = tool_.is_triangle(near[s].segment) ? 1 : 4;
+            for (int k = 1; k <= pieces; ++k) {
+                batch.candidates[batch.candidate_count++] = {i, place_of(near[s].segment, k), near[s].apart};
+            }
+        }
+    }
+    decide_candidates(batch, rules, remembers);
+}
+
+void Search::search(Batch& batch, const Rules& rules) const {
+    int all[Batch::room];
+    batch.pair_count = batch.close_count = batch.candidate_count = 0;
+    batch.tally = {};
+    std::fill_n(batch.settled, batch.count, Settled::filter);
+    std::fill_n(batch.kind, batch.count, Kind::contact);
+    std::fill_n(batch.memory, batch.count, nullptr);
+    for (int i = 0; i < batch.count; ++i)
+        all[i] = i;
+    ask_rows(batch, all, batch.count, rules, false);
+}
+
+}  // namespace type21::optimized
