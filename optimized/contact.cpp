@@ -40,7 +40,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         tbb::blocked_range<int>(0, static_cast<int>(lists.size())),
         [&](const tbb::blocked_range<int>& range) {
             Workspace& w = work.local();
-            w.batch->cores = cores;
+            w.batch->cores = asked_again.often();
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
                 ChunkLists& own = lists[static_cast<size_t>(c)];
@@ -55,8 +55,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         total.add(w.sums);
         cycle_paths.add(w.tally);
     }
-    // Of the whole cycle, so that no thread's pace has a part in it.
-    cores = cycle_paths.asks_for_cores(count);
+    asked_again.add(cycle_paths, count);
     counts.add(cycle_paths, count);
     if (lanes && !laws.has(effect::friction)) total.without_friction();
 }

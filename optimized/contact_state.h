@@ -50,7 +50,7 @@ struct Contact::State {
     std::vector<ChunkLists> lists;  ///< one a chunk
     StepSums total;
     PathCounts counts;
-    bool cores = false;  ///< Search::Batch::cores of the next cycle
+    AskedAgain asked_again;
     LeanStep lean;
     std::vector<Vec3> lean_force;
     std::vector<double> lean_stiffness;

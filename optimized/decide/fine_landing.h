@@ -10,7 +10,7 @@ struct FineKappaRows {
     alignas(64) LandingRows::Row high, low;
 };
 
-/// What fine_landing may be off by where foreseen() holds for the sub-triangle and the node. The bounds of filter() are
+/// What fine_landing may be off by where the sub-triangle is foreseen (foreseen_bounds.h) and the node meant. The bounds of filter() are
 /// proportional to the rounding of one operation, and here that is 2^-47 of what it is in double: 3 q < 1e-6 2^-47,
 /// kappa within 4.1 q + 12 e.
 constexpr double fine_kappa_share = 2e-20;

@@ -1,11 +1,13 @@
-/// @file Are the error bounds of filter() small for every node that a sub-triangle's core may meet?
+/// @file What a plain projection may be off by where the error bounds of filter() are small for every node that a
+/// sub-triangle may meet.
 #pragma once
-
-#include "optimized/decide/segment.h"
 
 namespace type21::optimized {
 
-/// What a plain projection may be off by at most, where foreseen() holds; nodes for which more is needed are filtered.
+/// A sub-triangle is foreseen when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4, W >=
+/// 1/2 and weights of step 2 >= -0.01, the bounds that filter() derives are below foreseen_share: of each weight of step
+/// 2 and 3 and of H / (|N| size), |delta| / size. They grow with the numbers that they are made of, so the largest of
+/// these give the largest bounds (search/rates.cpp). Nodes for which more is needed are filtered.
 constexpr double foreseen_share = 1e-6;  ///< of weights [-], and of heights and distances as a share of the size
 
 /// What weights and kappa of plain projections must be away from what decides: ten times what they may be off by.
@@ -18,12 +20,5 @@ constexpr double plain_weight = weight_limit + plain_share;
 inline double foreseen_size(double extent, double growth) {
     return extent + 1.5 * growth;
 }
-
-/// True when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4, W >= 1/2 and weights of
-/// step 2 >= -0.01, the bounds that filter() derives are below foreseen_share: of each weight of step 2 and 3 and of H
-/// / (|N| size), |delta| / size. They grow with the numbers that they are made of, so the largest of these give the
-/// largest bounds.
-/// @param growth  largest |H| / |N| [length]
-bool foreseen(const SegmentData& segment, int k, double extent, double growth);
 
 }  // namespace type21::optimized

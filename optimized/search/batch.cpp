@@ -54,7 +54,7 @@ void Search::find(Batch& batch, const Rules& rules) const {
             batch.path[i] = Path::quiet;
             ++batch.tally.quiet;
         } else if (memory->place >= 0 && !(memory->radius > 0) &&
-                   (within || batch.cores || core_known(memory->place))) {
+                   (within || batch.cores || -double(memory->radius) < small_ball_ || core_known(memory->place))) {
             tool_.prefetch_segment(segment_of(memory->place));
             if (within) batch.path[i] = Path::steady;
             looking[look++] = i;
@@ -166,7 +166,7 @@ void Search::ask_at(LandingRows& rows, int column, int place, const Batch& batch
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = batch.y[a][i];
     rows.gap[column] = batch.gap[i];
-    rows.core[column] = std::isfinite(rate(place)) ? 0.0 : double(beyond_foreseen);
+    rows.core[column] = foreseen(place) ? 0.0 : double(beyond_foreseen);
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {

@@ -1,7 +1,5 @@
 // Margins and neighbours of the sub-triangles of a segment, found when they are first asked for.
-#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/margins.h"
-#include "optimized/search/rates.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
@@ -66,17 +64,7 @@ bool Search::first_at(int place, int i, std::span<const int> segments) const {
 
 float Search::new_core(int place) const {
     find_cores(segment_of(place));
-    return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
-}
-
-float Search::new_rate(int place) const {
-    const SegmentData segment = tool_.segment(segment_of(place));
-    const int piece = piece_of(place);
-    float rate = std::numeric_limits<float>::infinity();
-    if (foreseen(segment, piece, tool_.extent(segment_of(place)), growth_))
-        rate = std::nextafter(static_cast<float>(std::min(weight_rate(segment, piece, limits_), 1e30)), HUGE_VALF);
-    margins_[static_cast<size_t>(place)].rate.store(rate, std::memory_order_relaxed);
-    return rate;
+    return margins(place).alone.load(std::memory_order_acquire);
 }
 
 void Search::find_cores(int rank) const {
@@ -85,14 +73,14 @@ void Search::find_cores(int rank) const {
     std::array<Prism, 4> own;
     std::array<Box, 4> own_box;
     std::array<OuterLines, 4> own_lines;
-    std::vector<PieceMargins> margins;
-    margins.reserve(4);
+    std::vector<PieceMargins> own_margins;
+    own_margins.reserve(4);
     Box box;
     for (size_t k = 0; k < pieces; ++k) {
         own[k] = prism(segment, static_cast<int>(k) + 1, limits_);
         own_box[k] = own[k].box();
         own_lines[k] = outer_lines(own[k]);
-        margins.emplace_back(own[k]);
+        own_margins.emplace_back(own[k]);
         box.extend(own_box[k]);
     }
     // Who lies over the sides of the segment: the one with the lowest number.
@@ -139,23 +127,23 @@ void Search::find_cores(int rank) const {
                 int beyond = 2;
                 while (beyond >= 0 && partner(place_of(rank, static_cast<int>(k) + 1), beyond) != place)
                     --beyond;
-                margins[k].keep_from(lines, beyond);
+                own_margins[k].keep_from(lines, beyond);
                 for (int c = 0; c < 3; ++c)
                     if ((leads[k] >> c & 1U) != 0 &&
                         !has_corner(place, vertex_at(place_of(rank, static_cast<int>(k) + 1), c)) &&
-                        !margins[k].apart_at(lines, c))
+                        !own_margins[k].apart_at(lines, c))
                         leads[k] &= ~(1U << c);
             }
         }
     }
-    for (size_t k = 0; k < 4; ++k) {
-        const bool none = crowded || k >= pieces;
-        float alone = rounded_up(none ? 1.0 : margins[k].alone());
-        if (none || !foreseen(segment, static_cast<int>(k) + 1, tool_.extent(rank), growth_))
-            alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
-        margins_[first + k].pair.store(rounded_up(none ? 1.0 : margins[k].pair()), std::memory_order_relaxed);
+    for (size_t k = 0; k < pieces; ++k) {
+        const int place = place_of(rank, static_cast<int>(k) + 1);
+        Margins& found = margins(place);
+        float alone = rounded_up(crowded ? 1.0 : own_margins[k].alone());
+        if (crowded || !foreseen(place)) alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
+        found.pair.store(rounded_up(crowded ? 1.0 : own_margins[k].pair()), std::memory_order_relaxed);
         leads_[first + k].store(static_cast<unsigned char>(leads[k]), std::memory_order_relaxed);
-        margins_[first + k].alone.store(alone, std::memory_order_release);
+        found.alone.store(alone, std::memory_order_release);
     }
 }
 

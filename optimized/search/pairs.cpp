@@ -68,7 +68,7 @@ bool Search::pair_up(Batch& batch, int at, int i) const {
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
     const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
-    const float pair = margins_[static_cast<size_t>(own)].pair.load(std::memory_order_relaxed);
+    const float pair = margins(own).pair.load(std::memory_order_relaxed);
     if (!(along >= double(pair) + plain_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
     const int other = partner(own, side);
     if (other < 0) return false;

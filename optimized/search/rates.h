@@ -1,12 +1,14 @@
-/// @file How fast the weights of a node change as it moves.
+/// @file How far off a plain projection may be, and how fast its weights change as the node moves.
 #pragma once
 
-#include "optimized/search/prism.h"
+#include <vector>
+
+#include "optimized/search/tool.h"
 
 namespace type21::optimized {
 
 /// How far weights may go below 0 where a rate still holds.
-constexpr double rate_weights = 0.06;
+constexpr double rate_weights = 0.21;
 
 /// A proven bound on |dw| / |dy| of each weight w of step 2 and of step 3 of formulation section 3, wherever the
 /// weights of step 2 are >= -rate_weights and the height is at most max(outward, inward) + 0.05 width [1/length];
@@ -24,6 +26,13 @@ constexpr double rate_weights = 0.06;
 ///   and sum |dw_i| <= 2 g |dy|:
 ///     |dQ| <= (sqrt(1 + (m rho)^2) + |h| 2 g m^2 d) |dy|, and a weight of Q changes by at most |dQ| / omega_0.
 /// All of it is well conditioned where the prism is not `grown`; 1e-5 is added for its rounding.
-double weight_rate(const SegmentData& segment, int k, const Limits& limits);
+///
+/// It is infinite where the bounds that filter() derives are not small for every node meant (foreseen_bounds.h), and
+/// no_rate where only the rate is missing.
+/// @param growth  max(outward, inward) [length]
+/// @return four for a segment, rounded up
+std::vector<float> weight_rates(const Tool& tool, double growth, Machine machine = this_machine());
+
+constexpr double no_rate = 1e30;
 
 }  // namespace type21::optimized

@@ -194,6 +194,8 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
         if (plain)
             tree_.within(y, around, [&](int s, double apart) {
                 if (segments < most_segments) near[segments] = {s, apart};
+                tool_.prefetch_segment(s);
+                __builtin_prefetch(&margins(place_of(s, 1)));
                 ++segments;
             });
         if (!plain || segments > most_segments || (remembers && filtered(batch.memory[i]->place))) {

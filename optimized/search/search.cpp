@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "optimized/search/margins.h"
+#include "optimized/search/rates.h"
 #include "optimized/search/segment_boxes.h"
 
 namespace type21::optimized {
@@ -38,7 +39,7 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
       reach_box_(reach_box),
       usual_clearance_(0),
       usual_ball_(0),
-      margins_(4 * static_cast<size_t>(tool.size())),
+      small_ball_(0),
       over_(4 * static_cast<size_t>(tool.size())),
       leads_(4 * static_cast<size_t>(tool.size())) {
     const std::vector<Box> boxes = segment_boxes(tool, limits);
@@ -46,11 +47,15 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
     for (const Box& box : boxes)
         extent += largest(box.high - box.low);
     usual_clearance_ = boxes.empty() ? 0 : 16 * extent / static_cast<double>(boxes.size());
-    usual_ball_ = usual_clearance_ / 256;
+    usual_ball_ = usual_clearance_ / 128;
+    small_ball_ = usual_ball_ / 16;
     tree_ = BoxTree(boxes);
-    for (Margins& margins : margins_) {
-        margins.alone.store(unknown, std::memory_order_relaxed);
-        margins.rate.store(unknown, std::memory_order_relaxed);
+    shift_ = tool.triangles_only() ? 2 : 0;
+    const std::vector<float> rates = weight_rates(tool, growth_);
+    margins_ = std::vector<Margins>(rates.size() >> shift_);
+    for (size_t i = 0; i < margins_.size(); ++i) {
+        margins_[i].alone.store(unknown, std::memory_order_relaxed);
+        margins_[i].rate = rates[i << shift_];
     }
 }
 

@@ -44,9 +44,22 @@ enum class Path {
 struct PathTally {
     long certified = 0, steady = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
     void add(const PathTally& other);
-    /// Are nodes asked again so often that cores pay? Finding the four of a segment costs about as much as eight
-    /// searches; while a ball holds for thirty cycles and more, searching is cheaper.
-    bool asks_for_cores(long nodes) const { return 32 * (searched + paired) > nodes; }
+};
+
+/// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches; where
+/// balls hold for long, searching is cheaper. Judged by the mean of about the last thirty cycles, of all nodes, so that
+/// no thread's pace has a part in it.
+class AskedAgain {
+  public:
+    void add(const PathTally& cycle, long nodes) {
+        const double now = static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
+        // The first cycle searches for all.
+        mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 32;
+    }
+    bool often() const { return mean_ > 0.04; }
+
+  private:
+    double mean_ = -1;
 };
 
 /// D34: the box in which a node must lie before a segment competes at all.
@@ -57,10 +70,10 @@ struct ReachBoxRule {
     bool holds(const V3& y, const SegmentData& segment, const Window& window) const;
 };
 
-/// Added to m(T) where foreseen() does not hold.
+/// Added to m(T) where T is not foreseen.
 constexpr float beyond_foreseen = 4;
 /// Weights >= weight_limit stay >= -rate_weights within this over their rate.
-constexpr double rate_reach = 0.05;
+constexpr double rate_reach = 0.2;
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
@@ -102,7 +115,7 @@ class Search {
 
         int count = 0;
         double depth = 0, proximity = 0;  ///< of all [length]
-        bool cores = true;                ///< find those that are not known; else nodes are searched for again
+        bool cores = true;                ///< find those that are not known; else for nodes with small balls only
         Memory* memory[room];             ///< nullptr: not asked
         alignas(64) Row y[3];             ///< in the tool frame [length]
         alignas(64) Row gap;              ///< that decides contact [length]
@@ -157,27 +170,26 @@ class Search {
     struct Margins {
         std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
         std::atomic<float> pair;   ///< m2(T)
-        std::atomic<float> rate;   ///< of its weights, 1e30: none; infinite: foreseen() does not hold; < 0: not known yet
+        float rate;                ///< of its weights; infinite: it is not foreseen
     };
+    /// Of a tool of triangles those of segments stand side by side.
+    Margins& margins(int place) const { return margins_[static_cast<size_t>(place) >> shift_]; }
     /// Certified by T's core: found is filled, and true is returned.
     bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
     float core(int place) const {
-        const float margin = margins_[static_cast<size_t>(place)].alone.load(std::memory_order_acquire);
+        const float margin = margins(place).alone.load(std::memory_order_acquire);
         return margin >= 0 ? margin : new_core(place);
     }
     float new_core(int place) const;
     bool core_known(int place) const {
-        return margins_[static_cast<size_t>(place)].alone.load(std::memory_order_relaxed) >= 0;
+        return margins(place).alone.load(std::memory_order_relaxed) >= 0;
     }
     /// Known to be one whose projections have to be filtered.
     bool filtered(int place) const {
-        return place >= 0 && margins_[static_cast<size_t>(place)].alone.load(std::memory_order_relaxed) >= beyond_foreseen;
+        return place >= 0 && margins(place).alone.load(std::memory_order_relaxed) >= beyond_foreseen;
     }
-    float rate(int place) const {
-        const float known = margins_[static_cast<size_t>(place)].rate.load(std::memory_order_relaxed);
-        return known >= 0 ? known : new_rate(place);
-    }
-    float new_rate(int place) const;
+    float rate(int place) const { return margins(place).rate; }
+    bool foreseen(int place) const { return std::isfinite(rate(place)); }
     void find_cores(int segment) const;
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;
@@ -240,7 +252,9 @@ class Search {
     BoxTree tree_;
     double usual_clearance_;                ///< clearances are not looked for beyond it [length]
     double usual_ball_;                     ///< balls of steady nodes likewise [length]
-    mutable std::vector<Margins> margins_;  ///< four for a segment; alone < 0: not known yet
+    double small_ball_;                     ///< nodes with smaller ones ask for cores and pairs [length]
+    int shift_ = 0;                         ///< 2 where there are triangles only, and one place for a segment
+    mutable std::vector<Margins> margins_;  ///< of places; alone < 0: not known yet
     /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.
     mutable std::vector<std::atomic<int>> over_;

@@ -1,6 +1,7 @@
 /// @file The tool in its own frame, built once.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -32,6 +33,9 @@ class Tool {
     }
     bool is_triangle(int rank) const {
         return corner_[static_cast<size_t>(rank)][2] == corner_[static_cast<size_t>(rank)][3];
+    }
+    bool triangles_only() const {
+        return std::all_of(corner_.begin(), corner_.end(), [](const auto& c) { return c[2] == c[3]; });
     }
     /// Corners as ranks of vertices.
     const std::array<int, 4>& corner(int rank) const { return corner_[static_cast<size_t>(rank)]; }

@@ -59,6 +59,8 @@ class BareStep {
     std::vector<int> retained_;      ///< place of each node, -1: none
     std::vector<signed char> side_;  ///< its side
     optimized::PathTally tally_;
+    optimized::AskedAgain asked_again_;
+    int cycles_ = 0;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();
 };
