@@ -47,16 +47,16 @@ struct PathTally {
 };
 
 /// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches; where
-/// balls hold for long, searching is cheaper. Judged by the mean of about the last thirty cycles, of all nodes, so that
+/// balls hold for long, searching is cheaper. Judged by the mean of about the last eight cycles, of all nodes, so that
 /// no thread's pace has a part in it.
 class AskedAgain {
   public:
     void add(const PathTally& cycle, long nodes) {
         const double now = static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
         // The first cycle searches for all.
-        mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 32;
+        mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
     }
-    bool often() const { return mean_ > 0.04; }
+    bool often() const { return mean_ > 0.06; }
 
   private:
     double mean_ = -1;

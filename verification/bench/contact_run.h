@@ -36,6 +36,11 @@ class ContactRun {
         keep(step_);
         return watch.nanoseconds() / static_cast<double>(scene_.nodes());
     }
+    /// Runs a generated scene until what a contact finds out once is found out.
+    void settle() {
+        for (int c = 0; c < settling_cycles && scene_.cycles == 0; ++c)
+            next(true);
+    }
     int cycle() const { return cycle_; }
     bool has_lean() const { return has_lean_; }
     optimized::Contact& contact() { return *contact_; }

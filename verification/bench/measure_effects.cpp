@@ -131,6 +131,10 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
     one.execute([&] {
         BareRun bare[2] = {{elastic, false}, {rubbing, true}};
         ContactRun without[2] = {ContactRun(elastic), ContactRun(rubbing)};
+        for (int i = 0; i < 2; ++i) {
+            bare[i].settle();
+            without[i].settle();
+        }
         Rounds rounds;
         const std::vector<EffectCase> all = cases();
         std::vector<BenchScene> scenes;
@@ -139,6 +143,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
         std::vector<std::unique_ptr<ContactRun>> with;
         for (const BenchScene& scene : scenes) {
             with.push_back(std::make_unique<ContactRun>(scene));
+            with.back()->settle();
             with.back()->next(true);
         }
         for (size_t i = 0; i < 2; ++i) {

@@ -40,10 +40,11 @@ std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
     return blocks;
 }
 
-/// Nodes asked again, a batch after the other.
+/// Nodes asked again, a batch after the other: where they were retained, or as if nothing were known of them.
 class AskedAgain {
   public:
-    AskedAgain(const BareStep& bare, const std::vector<int>& nodes) : bare_(bare), nodes_(nodes) {}
+    enum class How { near_last, anywhere };
+    AskedAgain(const BareStep& bare, const std::vector<int>& nodes, How how) : bare_(bare), nodes_(nodes), how_(how) {}
     void operator()() {
         for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::room) {
             const size_t count = std::min<size_t>(optimized::Search::Batch::room, nodes_.size() - first);
@@ -56,9 +57,13 @@ class AskedAgain {
                     batch_->y[a][j] = bare_.place()[i][a];
                 batch_->gap[j] = bare_.window(i).gap;
                 memory_[j] = bare_.memory()[i];
+                memory_[j].forget();
                 batch_->memory[j] = &memory_[j];
             }
-            bare_.search().find(*batch_, bare_.laws().rules);
+            if (how_ == How::near_last)
+                bare_.search().find(*batch_, bare_.laws().rules);
+            else
+                bare_.search().search(*batch_, bare_.laws().rules);
             keep(*batch_);
         }
     }
@@ -66,6 +71,7 @@ class AskedAgain {
   private:
     const BareStep& bare_;
     const std::vector<int>& nodes_;
+    How how_;
     std::unique_ptr<optimized::Search::Batch> batch_ = std::make_unique<optimized::Search::Batch>();
     std::array<optimized::Memory, optimized::Search::Batch::room> memory_;
 };
@@ -96,12 +102,15 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         ContactRun product(scene);
         Rounds rounds;
         BareRun look(scene, true, Until::look);
-        for (int c = 0; c < 4; ++c)
-            look.next();  // time 0 has no stages, and balls are young
-        std::vector<LandingRows> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 16384));
+        for (BareRun* run : {&transform, &decide, &force, &sum, &plain, &look})
+            run->settle();
+        product.settle();
+        // As in the step, the rows stay near: few of them, again and again.
+        std::vector<LandingRows> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 256));
         const optimized::Limits& reach = look.bare.search().limits();
         const optimized::LandingLimits limits{reach.outward, reach.inward, look.bare.window(0).depth, 0, true};
-        AskedAgain paired(look.bare, look.bare.paired());
+        AskedAgain paired(look.bare, look.bare.paired(), AskedAgain::How::near_last);
+        AskedAgain searched(look.bare, look.bare.searched(), AskedAgain::How::anywhere);
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(
             "product", [&] { return product.next(true); }, effort.cycles);
@@ -116,11 +125,14 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         rounds.add(
             "plain sums", [&] { return plain.next(); }, effort.cycles);
         rounds.add("project", [&] {
+            constexpr int times = 64;
             const Watch watch(true);
-            for (LandingRows& block : rows)
-                plain_landing(block, LandingRows::room, limits);
-            keep(rows);
-            return watch.nanoseconds() / static_cast<double>(rows.size() * LandingRows::room);
+            for (int t = 0; t < times; ++t) {
+                for (LandingRows& block : rows)
+                    plain_landing(block, LandingRows::room, limits);
+                keep(rows);
+            }
+            return watch.nanoseconds() / static_cast<double>(times * rows.size() * LandingRows::room);
         });
         rounds.add("neighbours", [&] {
             const Watch watch(true);
@@ -128,11 +140,8 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             return watch.nanoseconds() / nodes;
         });
         rounds.add("search", [&] {
-            const BareStep& bare = look.bare;
             const Watch watch(true);
-            for (const int i : bare.searched())
-                keep(bare.search().search(bare.place()[static_cast<size_t>(i)], bare.window(static_cast<size_t>(i)),
-                                          bare.laws().rules));
+            searched();
             return watch.nanoseconds() / nodes;
         });
         rounds.run(effort.repeats, effort.seconds);
@@ -174,6 +183,7 @@ void measure_threads(const BenchScene& scene, const BenchOptions& options, Bench
     for (const int threads : options.threads) {
         arenas.push_back(std::make_unique<tbb::task_arena>(threads));
         runs.push_back(std::make_unique<ContactRun>(scene));
+        runs.back()->settle();
         rounds.add(
             std::to_string(threads),
             [run = runs.back().get(), arena = arenas.back().get()] {

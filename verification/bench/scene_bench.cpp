@@ -73,6 +73,7 @@ double SceneBench::ask(size_t& start, const Ask& ask) {
 
 void SceneBench::add_product() {
     row_.first_cycle = run_.next(true);
+    run_.settle();
     rounds_.add(
         coherent, [&] { return run_.next(true); }, effort_.cycles);
     rounds_.add(whole, [&] { return run_.next(false); });
@@ -85,6 +86,7 @@ void SceneBench::add_product() {
     if (!generated()) return;
     // A step that stops when it knows what each node touches.
     select_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::decide);
+    select_->settle();
     rounds_.add(
         select, [&] { return select_->next(); }, effort_.cycles);
     found_.resize(place_.size());
