@@ -1,0 +1,238 @@
+// How long a decision holds: rates of weights, balls around nodes, and the search of many nodes side by side.
+#include <gtest/gtest.h>
+
+#include "optimized/search/rates.h"
+#include "optimized/search/search.h"
+#include "verification/tests/optimized/test_tools.h"
+
+namespace type21::optimized {
+namespace {
+
+using testing::exhaustive;
+using testing::grid;
+using testing::same;
+
+constexpr double reach = 0.15;
+
+std::vector<Tool> ball_tools() {
+    std::vector<Tool> made;
+    for (const bool triangles : {false, true}) {
+        made.push_back(grid(
+            6, [](double, double) { return 0.0; }, triangles));
+        made.push_back(grid(
+            6, [](double x, double y) { return 0.5 * (x * x + y * y); }, triangles, 0.25));
+        made.push_back(grid(
+            6, [](double x, double y) { return 0.2 * std::sin(4 * x) * std::cos(3 * y); }, triangles, 0.2));
+        made.push_back(grid(
+            6, [](double x, double) { return -0.7 * std::abs(x); }, triangles, 0.1));
+    }
+    return made;
+}
+
+/// Anywhere over a sub-triangle, a little beyond its sides, too.
+V3 somewhere_over(const Tool& tool, std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(-0.2, 1), height(-1.3 * reach, 1.3 * reach);
+    const SegmentData s = tool.segment(static_cast<int>(random() % static_cast<unsigned>(tool.size())));
+    double b = unit(random), c = unit(random);
+    if (b + c > 1.2) {
+        b = 1 - b;
+        c = 1 - c;
+    }
+    const auto at = [&](const std::array<V3, 4>& v) { return v[2] * (1 - b - c) + v[0] * b + v[1] * c; };
+    return at(s.node) + at(s.normal) * height(random);
+}
+
+V3 direction(std::mt19937_64& random) {
+    std::normal_distribution<double> one;
+    const V3 v{one(random), one(random), one(random)};
+    return v * (1 / norm(v));
+}
+
+void put(const std::vector<V3>& y, double gap, Search::Batch& batch, std::vector<Memory>* memory) {
+    batch.count = static_cast<int>(y.size());
+    batch.depth = reach;
+    for (int i = 0; i < batch.count; ++i) {
+        for (int a = 0; a < 3; ++a)
+            batch.y[a][i] = y[static_cast<size_t>(i)][a];
+        batch.gap[i] = gap;
+        batch.memory[i] = memory == nullptr ? nullptr : &(*memory)[static_cast<size_t>(i)];
+    }
+}
+
+TEST(Rates, OfAFlatTriangleAreOneOverItsWidth) {
+    // Right-angled, sides 3 and 4: the width is the height over the side of 5, 12 / 5.
+    const std::vector<V3> x{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+    const Tool tool(x, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 2}});
+    EXPECT_NEAR(double(weight_rates(tool, 0.5)[0]), 5.0 / 12, 1e-5);
+}
+
+TEST(Rates, AreTheSameBitsOnEachMachine) {
+    for (const Tool& tool : ball_tools()) {
+        const std::vector<float> two = weight_rates(tool, reach, Machine::two);
+        for (const Machine machine : {Machine::four, Machine::eight}) {
+            if (machine > this_machine()) continue;
+            EXPECT_EQ(weight_rates(tool, reach, machine), two);
+        }
+    }
+}
+
+TEST(Rates, BoundHowWeightsChange) {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> way(0, 1e-3);
+    auto rows = std::make_unique<LandingRows>();
+    double nearest = 0;  // share of the bound that is used
+    for (const Tool& tool : ball_tools()) {
+        const std::vector<float> rates = weight_rates(tool, reach);
+        for (int round = 0; round < 2000; ++round) {
+            const V3 from = somewhere_over(tool, random), to = from + direction(random) * way(random);
+            const int place = place_of(static_cast<int>(random() % static_cast<unsigned>(tool.size())), 1);
+            const std::array<int, 2> places{place, place};
+            const std::array<V3, 2> y{from, to};
+            for (size_t i = 0; i < 2; ++i)
+                for (int a = 0; a < 3; ++a)
+                    rows->y[a][i] = y[i][a];
+            gather(*rows, tool, places.data(), 2, reach);
+            plain_landing(*rows, 2, {reach, reach, reach, 0, false});
+            const double rate = double(rates[static_cast<size_t>(place)]);
+            const auto weights = [&](size_t i) {
+                return std::array<double, 6>{rows->weight[0][i], rows->weight[1][i],
+                                             rows->weight[2][i], rows->b[i],
+                                             rows->c[i],         1 - rows->b[i] - rows->c[i]};
+            };
+            const auto w = weights(0), v = weights(1);
+            const double height = std::abs(rows->height[0]) / std::sqrt(rows->square[0]);
+            if (!(std::min({w[0], w[1], w[2]}) > -rate_weights + 0.01) || !(height < reach) || rate >= no_rate)
+                continue;
+            for (size_t k = 0; k < 6; ++k) {
+                EXPECT_LE(std::abs(v[k] - w[k]), rate * norm(to - from) * (1 + 1e-9) + 1e-12);
+                nearest = std::max(nearest, std::abs(v[k] - w[k]) / (rate * norm(to - from)));
+            }
+            const double change = std::abs(kappa_of(v[3], v[4]) - kappa_of(w[3], w[4]));
+            EXPECT_LE(change, 2 * rate * norm(to - from) * (1 + 1e-9) + 1e-12);
+        }
+    }
+    EXPECT_GT(nearest, 0.8);
+}
+
+TEST(Balls, HoldWhatIsRetained) {
+    std::mt19937_64 random(6);
+    const Rules rules;
+    auto batch = std::make_unique<Search::Batch>();
+    int steady = 0, quiet = 0, crossed = 0;
+    for (const Tool& tool : ball_tools()) {
+        const Search search(tool, {reach, reach, 0.01, false}, {});
+        for (int round = 0; round < 4; ++round) {
+            std::vector<V3> y;
+            for (int i = 0; i < Search::Batch::room; ++i)
+                y.push_back(somewhere_over(tool, random));
+            std::vector<Memory> memory(y.size());
+            put(y, 0.9 * reach, *batch, &memory);
+            search.find(*batch, rules);
+            for (const Memory& one : memory) {
+                if (one.radius == 0) continue;
+                ++(one.radius < 0 ? steady : quiet);
+                // Another gap than that of the node: what is remembered does not hang on it.
+                const Window window{reach * (round % 2 == 0 ? 1.0 : 0.7), reach, 0};
+                for (int k = 0; k < 24; ++k) {
+                    const V3 there = one.from + direction(random) * (0.999999 * std::abs(double(one.radius)));
+                    ASSERT_TRUE(one.within(there));
+                    const Retained found = search.search(there, window, rules);
+                    if (one.radius > 0) {
+                        ASSERT_LT(found.segment, 0) << there.x << " " << there.y << " " << there.z;
+                        continue;
+                    }
+                    const int s = segment_of(one.place), piece = piece_of(one.place);
+                    if (!exact_landing(there, tool.segment(s), piece, window, rules).taken) {
+                        ++crossed;
+                        continue;
+                    }
+                    ASSERT_EQ(found.segment, s) << there.x << " " << there.y << " " << there.z;
+                    ASSERT_EQ(found.piece, piece);
+                }
+            }
+        }
+    }
+    EXPECT_GT(steady, 3000);
+    EXPECT_GT(quiet, 500);
+    EXPECT_GT(crossed, 100);
+}
+
+TEST(Balls, AreUsedWhileTheNodeStays) {
+    const Tool tool = ball_tools()[1];
+    const Search search(tool, {reach, reach, 0.01, false}, {});
+    auto batch = std::make_unique<Search::Batch>();
+    batch->cores = false;
+    std::mt19937_64 random(8);
+    std::vector<V3> y;
+    for (int i = 0; i < Search::Batch::room; ++i)
+        y.push_back(somewhere_over(tool, random));
+    std::vector<Memory> memory(y.size());
+    put(y, reach, *batch, &memory);
+    search.find(*batch, {});
+    EXPECT_EQ(batch->tally.searched, static_cast<long>(y.size()));
+    for (V3& one : y)
+        one = one + V3{1e-7, 1e-7, -1e-7};
+    put(y, reach, *batch, &memory);
+    search.find(*batch, {});
+    EXPECT_GT(batch->tally.steady + batch->tally.quiet, static_cast<long>(y.size()) * 9 / 10);
+    for (int i = 0; i < batch->count; ++i)
+        EXPECT_TRUE(same(batch->retained(i), exhaustive(tool, y[static_cast<size_t>(i)], {reach, reach, 0}, {})));
+}
+
+TEST(AskedAgain, WantsCoresWhenManyAreAskedAgain) {
+    AskedAgain judge;
+    PathTally all, many, few;
+    all.searched = 1000;
+    many.searched = 100;
+    few.searched = 10;
+    judge.add(all, 1000);  // the first cycle searches for all, which says nothing
+    EXPECT_FALSE(judge.often());
+    for (int c = 0; c < 24; ++c)
+        judge.add(many, 1000);
+    EXPECT_TRUE(judge.often());
+    for (int c = 0; c < 24; ++c)
+        judge.add(few, 1000);
+    EXPECT_FALSE(judge.often());
+}
+
+/// Above corners, sides, middles and centres, on the surface, and anywhere.
+V3 hard_place(const Tool& tool, std::mt19937_64& random) {
+    const SegmentData s = tool.segment(static_cast<int>(random() % static_cast<unsigned>(tool.size())));
+    const auto j = random() % 4, k = random() % 4;
+    const double h = std::array<double, 3>{0.0, 0.1, -0.0625}[random() % 3];
+    const V3 normal = (s.normal[j] + s.normal[k]) * 0.5;
+    const double share = std::array<double, 4>{0.5, 0.25, 1.0 / 3, 0.0}[random() % 4];
+    V3 at = s.node[j] * (1 - share) + s.node[k] * share;
+    if (random() % 4 == 0) at = ((s.node[0] + s.node[1]) + (s.node[2] + s.node[3])) * 0.25;
+    return random() % 4 == 0 ? somewhere_over(tool, random) : at + normal * h;
+}
+
+TEST(ManyAtOnce, AreSearchedForAsTheExhaustiveSearchDoes) {
+    std::mt19937_64 random(12);
+    auto batch = std::make_unique<Search::Batch>();
+    std::array<int, 4> settled{};
+    for (const Tool& tool : ball_tools()) {
+        for (const bool lift : {false, true}) {
+            Rules rules;
+            rules.lift_leaning = lift;
+            const Search search(tool, {reach, reach, 0.01, lift}, {});
+            std::vector<V3> y;
+            for (int i = 0; i < 100; ++i)
+                y.push_back(hard_place(tool, random));
+            put(y, 0.8 * reach, *batch, nullptr);
+            search.search(*batch, rules);
+            EXPECT_EQ(batch->tally.searched, 100);
+            for (int i = 0; i < batch->count; ++i) {
+                const V3& at = y[static_cast<size_t>(i)];
+                ASSERT_TRUE(same(batch->retained(i), exhaustive(tool, at, {0.8 * reach, reach, 0}, rules)))
+                    << at.x << " " << at.y << " " << at.z;
+                ++settled[static_cast<size_t>(batch->settled[i])];
+            }
+        }
+    }
+    EXPECT_GT(settled[static_cast<size_t>(Settled::filter)], 200);
+    EXPECT_GT(settled[static_cast<size_t>(Settled::tie)], 100);
+}
+
+}  // namespace
+}  // namespace type21::optimized

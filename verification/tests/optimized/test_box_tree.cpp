@@ -1,0 +1,141 @@
+// The tree of boxes against all boxes, one after the other; segments into rows.
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "optimized/search/box_tree.h"
+#include "optimized/search/gather.h"
+#include "verification/tests/optimized/test_tools.h"
+
+namespace type21::optimized {
+namespace {
+
+std::vector<Box> some_boxes(int count, std::mt19937_64& random) {
+    std::uniform_real_distribution<double> at(-1, 1), size(0, 0.2);
+    std::vector<Box> boxes;
+    for (int i = 0; i < count; ++i) {
+        Box box;
+        const V3 low{at(random), at(random), at(random)};
+        box.extend(low);
+        box.extend(low + V3{size(random), size(random), size(random)});
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+double distance(const Box& box, const V3& y) {
+    return norm({std::max({0.0, box.low.x - y.x, y.x - box.high.x}), std::max({0.0, box.low.y - y.y, y.y - box.high.y}),
+                 std::max({0.0, box.low.z - y.z, y.z - box.high.z})});
+}
+
+class BoxTreeOf : public ::testing::TestWithParam<int> {};
+
+TEST_P(BoxTreeOf, FindsWhatAllBoxesSay) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> at(-1.2, 1.2);
+    const std::vector<Box> boxes = some_boxes(GetParam(), random);
+    for (const Machine machine : {Machine::two, Machine::four}) {
+        if (machine > this_machine()) continue;
+        const BoxTree tree(boxes, machine);
+        for (int q = 0; q < 60; ++q) {
+            const V3 y{at(random), at(random), at(random)};
+            for (const double around : {0.0, 0.05, 0.4}) {
+                std::set<int> found, near;
+                tree.within(y, around, [&](int rank, double apart) {
+                    EXPECT_TRUE(found.insert(rank).second);
+                    const double exact = distance(boxes[static_cast<size_t>(rank)], y);
+                    EXPECT_LE(apart, exact);
+                    EXPECT_GE(apart, exact * (1 - 1e-5) - 1e-6);
+                    EXPECT_LE(exact, around * (1 + 1e-5) + 1e-6);
+                });
+                tree.near(
+                    y, [&] { return around; }, [&](int rank, double) { near.insert(rank); });
+                for (size_t i = 0; i < boxes.size(); ++i) {
+                    const double exact = distance(boxes[i], y);
+                    EXPECT_TRUE(exact > around || found.contains(static_cast<int>(i)));
+                    EXPECT_TRUE(exact >= around || near.contains(static_cast<int>(i)));
+                }
+            }
+            Box asked;
+            asked.extend(y);
+            asked.extend(y + V3{0.3, 0.1, 0.2});
+            std::set<int> meeting;
+            tree.meeting(asked, [&](int rank) { meeting.insert(rank); });
+            for (size_t i = 0; i < boxes.size(); ++i)
+                EXPECT_TRUE(!boxes[i].meets(asked) || meeting.contains(static_cast<int>(i)));
+        }
+    }
+}
+
+TEST_P(BoxTreeOf, KeepsTheNearestWhenTheLimitShrinks) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> at(-2, 2);
+    const std::vector<Box> boxes = some_boxes(GetParam(), random);
+    const BoxTree tree(boxes);
+    for (int q = 0; q < 60; ++q) {
+        const V3 y{at(random), at(random), at(random)};
+        double least = HUGE_VAL, all = HUGE_VAL;
+        tree.near(
+            y, [&] { return least; },
+            [&](int rank, double) { least = std::min(least, distance(boxes[static_cast<size_t>(rank)], y)); });
+        for (const Box& box : boxes)
+            all = std::min(all, distance(box, y));
+        EXPECT_EQ(least, all);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, BoxTreeOf, ::testing::Values(0, 1, 2, 7, 8, 9, 64, 65, 513, 4100));
+
+TEST(BoxTree, HidesNothingFarAwayOrHuge) {
+    std::vector<Box> boxes(3);
+    for (size_t i = 0; i < 3; ++i) {
+        const double far = std::array<double, 3>{1e20, 1e39, 1.0}[i];
+        boxes[i].extend(V3{far, -far, far});
+        boxes[i].extend(V3{2 * far, -far, far});
+    }
+    const BoxTree tree(boxes);
+    for (int i = 0; i < 3; ++i) {
+        std::set<int> found, near;
+        tree.at(boxes[static_cast<size_t>(i)].low, [&](int rank) { found.insert(rank); });
+        tree.near(
+            boxes[static_cast<size_t>(i)].middle(), [] { return 1e300; }, [&](int rank, double) { near.insert(rank); });
+        EXPECT_TRUE(found.contains(i));
+        EXPECT_TRUE(near.contains(i));
+        for (const int rank : found)
+            EXPECT_TRUE(0 <= rank && rank < 3);
+    }
+}
+
+TEST(Gather, FillsTheSameRowsOnEachMachine) {
+    std::mt19937_64 random(2);
+    for (const bool triangles : {false, true}) {
+        const Tool tool = testing::grid(
+            5, [](double x, double y) { return x * y; }, triangles, 0.3);
+        for (const int count : {1, 3, 4, 7, 64}) {
+            std::vector<int> place;
+            for (int i = 0; i < count; ++i)
+                place.push_back(place_of(static_cast<int>(random() % static_cast<unsigned>(tool.size())),
+                                         triangles ? 1 : 1 + static_cast<int>(random() % 4)));
+            for (const Machine machine : {Machine::two, Machine::four}) {
+                if (machine > this_machine()) continue;
+                auto rows = std::make_unique<LandingRows>();
+                gather(*rows, tool, place.data(), count, 0.2, machine);
+                for (size_t i = 0; i < place.size(); ++i) {
+                    const int segment = segment_of(place[i]);
+                    for (int j = 0; j < 4; ++j) {
+                        for (int a = 0; a < 3; ++a) {
+                            EXPECT_EQ(rows->corner[j][a][i], tool.node(segment, j)[a]);
+                            EXPECT_EQ(rows->normal[j][a][i], tool.normal(segment, j)[a]);
+                        }
+                    }
+                    EXPECT_EQ(rows->code[i], triangles ? 4 : piece_of(place[i]) - 1);
+                    EXPECT_GT(rows->size[i], tool.extent(segment));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace type21::optimized
