@@ -119,15 +119,23 @@ TEST(Balls, HoldWhatIsRetained) {
     const Rules rules;
     auto batch = std::make_unique<Search::Batch>();
     int steady = 0, quiet = 0, crossed = 0;
+    long pairs = 0;
     for (const Tool& tool : ball_tools()) {
         const Search search(tool, {reach, reach, 0.01, false}, {});
-        for (int round = 0; round < 4; ++round) {
+        for (int round = 0; round < 8; ++round) {
             std::vector<V3> y;
             for (int i = 0; i < Search::Batch::room; ++i)
                 y.push_back(somewhere_over(tool, random));
             std::vector<Memory> memory(y.size());
             put(y, 0.9 * reach, *batch, &memory);
             search.find(*batch, rules);
+            if (round >= 2) {
+                // Again, from where it was retained: near a side the ball is that of two.
+                for (Memory& one : memory)
+                    one.forget();
+                search.find(*batch, rules);
+                pairs += batch->tally.paired;
+            }
             for (const Memory& one : memory) {
                 if (one.radius == 0) continue;
                 ++(one.radius < 0 ? steady : quiet);
@@ -155,6 +163,7 @@ TEST(Balls, HoldWhatIsRetained) {
     EXPECT_GT(steady, 3000);
     EXPECT_GT(quiet, 500);
     EXPECT_GT(crossed, 100);
+    EXPECT_GT(pairs, 500);
 }
 
 TEST(Balls, AreUsedWhileTheNodeStays) {
@@ -177,6 +186,29 @@ TEST(Balls, AreUsedWhileTheNodeStays) {
     EXPECT_GT(batch->tally.steady + batch->tally.quiet, static_cast<long>(y.size()) * 9 / 10);
     for (int i = 0; i < batch->count; ++i)
         EXPECT_TRUE(same(batch->retained(i), exhaustive(tool, y[static_cast<size_t>(i)], {reach, reach, 0}, {})));
+}
+
+/// A node beside a triangle by less than the 1 % of a weight: its landing is clipped, and that point is farther away.
+TEST(ManyAtOnce, SeeTheClippedPoint) {
+    const Tool tool({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 2}});
+    const Search search(tool, {2, 2, 0.01, false}, {});
+    auto batch = std::make_unique<Search::Batch>();
+    const std::vector<V3> y{{30, -0.9, 0.5}, {30, 0.9, 0.5}, {30, -0.1, 0.5}, {30, -0.9, 1.7}, {-0.6, -0.3, -1.9}};
+    // With what they remember, too: the ball of the first gap holds for all.
+    std::vector<Memory> memory(y.size());
+    long steady = 0;
+    for (const double gap : {2.0, 0.505, 1.1, 0.6, 0.45}) {
+        for (const bool remembers : {false, true}) {
+            put(y, gap, *batch, remembers ? &memory : nullptr);
+            batch->depth = 2;
+            remembers ? search.find(*batch, {}) : search.search(*batch, {});
+            steady += batch->tally.steady;
+            for (int i = 0; i < batch->count; ++i)
+                EXPECT_TRUE(same(batch->retained(i), exhaustive(tool, y[static_cast<size_t>(i)], {gap, 2, 0}, {})))
+                    << i << " " << gap;
+        }
+    }
+    EXPECT_GT(steady, 0);
 }
 
 TEST(AskedAgain, WantsCoresWhenManyAreAskedAgain) {
