@@ -173,8 +173,8 @@ Funnel Contact::funnel() const {
     Funnel funnel;
     // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
     funnel.nothing_near = counts.quiet;
-    funnel.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole, counts.fine,
-                      counts.whole};
+    funnel.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole,
+                      counts.fine, counts.whole};
     return funnel;
 }
 

@@ -160,14 +160,20 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     const L nearer = reach - unsure, farther = reach + unsure;
     // Conditions are counted: GCC takes apart what joins several comparisons.
     const L one = zero + 1.0;
-    L met = farthest <= size ? one : zero;
-    met += p_size <= 4.0 ? one : zero;
-    met += q_size <= 4.0 ? one : zero;
-    met += total >= 0.5 ? one : zero;
+    L sure = farthest <= size ? one : zero;
+    sure += p_size <= 4.0 ? one : zero;
+    sure += q_size <= 4.0 ? one : zero;
+    sure += total >= 0.5 ? one : zero;
+    sure += height2 > 4.0 * rounding * rounding * square ? one : zero;
+    sure += enlarged < limit * limit * square ? one : zero;
+    L met = sure;
     met += inner >= core + foreseen_share ? one : zero;
     met += least >= plain_weight ? one : zero;
-    met += height2 > 4.0 * rounding * rounding * square ? one : zero;
-    met += enlarged < limit * limit * square ? one : zero;
+    // Without step 3 where step 2 rejects.
+    const L lowest = inner < plain_weight ? inner : least;
+    L rejected = lowest < weight_limit - plain_share ? sure : zero;
+    rejected = core < 4.0 ? rejected : zero;
+    store(rejected == 6.0 ? one : zero, rows.rejected + at);
     L touched = distance2 < nearer * nearer ? one : zero;
     touched += nearer > 0.0 ? one : zero;
     L certain = touched + met == 10.0 ? one : zero;

@@ -166,7 +166,7 @@ void Search::ask_at(LandingRows& rows, int column, int place, const Batch& batch
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = batch.y[a][i];
     rows.gap[column] = batch.gap[i];
-    rows.core[column] = foreseen(place) ? 0.0 : double(beyond_foreseen);
+    rows.core[column] = foreseen(place) ? taking : double(beyond_foreseen);
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {

@@ -46,7 +46,8 @@ TYPE21_INLINE void turn(const Corners& from, int offset, double* x, double* y, d
     load(from[2] + offset, r);
     load(from[3] + offset, s);
     const Four even = __builtin_shufflevector(p, q, 0, 4, 2, 6), odd = __builtin_shufflevector(p, q, 1, 5, 3, 7);
-    const Four even_too = __builtin_shufflevector(r, s, 0, 4, 2, 6), odd_too = __builtin_shufflevector(r, s, 1, 5, 3, 7);
+    const Four even_too = __builtin_shufflevector(r, s, 0, 4, 2, 6),
+               odd_too = __builtin_shufflevector(r, s, 1, 5, 3, 7);
     if constexpr (all) {
         store(__builtin_shufflevector(even, even_too, 0, 1, 4, 5), x);
         store(__builtin_shufflevector(odd, odd_too, 0, 1, 4, 5), y);

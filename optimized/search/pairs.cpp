@@ -6,6 +6,11 @@
 
 namespace type21::optimized {
 
+Search::Standing Search::standing_in_rows(const LandingRows& rows, int i, double depth, int place) const {
+    if (rows.certain[i] > 0) return Standing::taken;
+    return rows.rejected[i] > 0 ? Standing::rejected : standing(rows, i, depth, place);
+}
+
 Search::Standing Search::standing(const LandingRows& rows, int i, double depth, int place) const {
     const double size = rows.size[i], height2 = rows.height[i] * rows.height[i];
     const double rounding = foreseen_share * size;
@@ -26,8 +31,9 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
     if (!(least > low + plain_share)) return Standing::unknown;
     const V3 n{rows.n[0][i], rows.n[1][i], rows.n[2][i]};
     // Weights are off by less than foreseen_share, clipped and rescaled ones by four times that, an edge is at most 2
-    // sqrt(3) times the extent.
-    const double distance = least > 0 ? std::abs(rows.lift[i]) * norm(n) : clipped_distance(rows, i, place);
+    // sqrt(3) times the extent. Clipping twice as much moves the point by less than 15 times that share.
+    const double distance =
+        least > -2 * foreseen_share ? std::abs(rows.lift[i]) * norm(n) : clipped_distance(rows, i, place);
     const double unsure = 4 * plain_share * size, reach = front ? rows.gap[i] : depth;
     if (distance + unsure < reach) return Standing::taken;
     return distance - unsure > reach ? Standing::beyond : Standing::lands;
@@ -73,8 +79,8 @@ bool Search::pair_up(Batch& batch, int at, int i) const {
     const int other = partner(own, side);
     if (other < 0) return false;
     ask_at(batch.partners, batch.pair_count, other, batch, at);
-    batch.pairs[batch.pair_count++] = {at, own, other, side, kappa_of(rows.b[i], rows.c[i]),
-                                       along - double(pair) - plain_share};
+    batch.pairs[batch.pair_count++] = {
+        at, own, other, side, kappa_of(rows.b[i], rows.c[i]), along - double(pair) - plain_share};
     return true;
 }
 
@@ -90,17 +96,15 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
     if (count == 0) return;
     batch.tally.paired += count;
     const LandingRows& rows = batch.partners;
-    LandingLimits limits = landing_limits(batch.depth, batch.proximity);
-    limits.decide = false;
     int others[LandingRows::room];
     for (int j = 0; j < count; ++j)
         others[j] = batch.pairs[j].other;
     gather(batch.partners, tool_, others, count, growth_);
-    plain_landing(batch.partners, count, limits);
+    plain_landing(batch.partners, count, landing_limits(batch.depth, batch.proximity));
     for (int j = 0; j < count; ++j) {
         const Batch::Pair& pair = batch.pairs[j];
         batch.path[pair.column] = Path::paired;
-        const Standing stands = standing(rows, j, batch.depth, pair.other);
+        const Standing stands = standing_in_rows(rows, j, batch.depth, pair.other);
         const double apart = kappa_of(rows.b[j], rows.c[j]) - pair.kappa;
         const bool only = stands == Standing::rejected || (stands == Standing::beyond && batch.proximity == 0);
         const bool lands = stands == Standing::taken || stands == Standing::lands;
@@ -108,8 +112,7 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
             batch.place[pair.column] = pair.own;
             const double own = rate(pair.own);
             const double alone = ball(rows, j, stands, rate(pair.other), pair.kappa, own);
-            keep_steady(batch, pair.column, pair.own,
-                        std::min(std::min(pair.room, rate_reach) / own, alone));
+            keep_steady(batch, pair.column, pair.own, std::min(std::min(pair.room, rate_reach) / own, alone));
         } else if (stands == Standing::taken && apart < -plain_share) {
             take(batch, pair.column, pair.other, rows, j);
         } else if (stands == Standing::taken && over_shared_side(batch, pair)) {

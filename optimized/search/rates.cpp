@@ -145,7 +145,7 @@ TYPE21_INLINE void rate_of(const Piece<L>& t, const L& extent, double growth, L&
         length_of(way, other);
         most_of(other, apart);
     }
-    const L height = growth + 0.05 * width, lifted = width - height * apart;
+    const L height = growth + rate_reach * width, lifted = width - height * apart;
     const L sum = (1 + 2 * rate_weights) * t.least_slope - 2 * rate_weights * t.most_slope;
     met += lifted > 0.05 * width ? one : zero;
     met += sum > 0.05 * t.most_slope ? one : zero;
@@ -229,8 +229,7 @@ std::vector<float> weight_rates(const Tool& tool, double growth, Machine machine
         const auto flush = [&] {
             compute(rows, growth);
             for (int c = 0; c < column; ++c)
-                rates[static_cast<size_t>(rows.place[c])] =
-                    std::nextafter(static_cast<float>(rows.rate[c]), HUGE_VALF);
+                rates[static_cast<size_t>(rows.place[c])] = std::nextafter(static_cast<float>(rows.rate[c]), HUGE_VALF);
             column = 0;
         };
         for (int s = range.begin(); s < range.end(); ++s) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimized/search/margins.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
@@ -10,6 +9,7 @@ namespace type21::optimized {
 namespace {
 
 constexpr int most_segments = LandingRows::room / 4;  ///< around a node; with more it is asked alone
+constexpr int most_close = 16;                        ///< that plain numbers do not tell apart; likewise
 
 struct Near {
     int segment;
@@ -37,20 +37,20 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
 }
 
 /// One of these is retained, all of which take the node: a tie, or what it takes.
-Retained Search::tell_apart(const Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
+Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
     const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
     const Window window{batch.gap[i], batch.depth, batch.proximity};
-    Contender contenders[LandingRows::room];
-    std::array<SegmentData, LandingRows::room> segments;
+    Contender* const contenders = batch.contenders;
+    SegmentData* const segments = batch.segments;
     for (int j = 0; j < count; ++j) {
         const int c = columns[j], place = batch.candidates[c].place;
         const double kappa = kappa_of(batch.rows.b[c], batch.rows.c[c]);
-        contenders[j] = {segment_of(place), piece_of(place), Kind::contact, false, kappa - plain_share,
-                         kappa + plain_share};
-        segments[static_cast<size_t>(j)] = tool_.segment(segment_of(place));
+        contenders[j] = {segment_of(place),   piece_of(place),    Kind::contact, false,
+                         kappa - plain_share, kappa + plain_share};
+        segments[j] = tool_.segment(segment_of(place));
     }
     const auto n = static_cast<size_t>(count);
-    if (tied(y, {contenders, n}, {segments.data(), n}, window, rules)) {
+    if (tied(y, {contenders, n}, {segments, n}, window, rules)) {
         int lowest = batch.candidates[columns[0]].place;
         for (int j = 1; j < count; ++j)
             lowest = std::min(lowest, batch.candidates[columns[j]].place);
@@ -78,7 +78,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     Standing standings[LandingRows::room];
     for (int c = first; c < last; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
-        const Standing stands = standings[c] = standing(rows, c, batch.depth, one.place);
+        const Standing stands = standings[c] = standing_in_rows(rows, c, batch.depth, one.place);
         if (stands == Standing::unknown && !(one.apart > 0)) return false;
         beyond |= stands == Standing::beyond;
         if (stands != Standing::taken && stands != Standing::lands) continue;
@@ -121,6 +121,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
         for (int c = first; c < last; ++c)
             if (standings[c] == Standing::taken && !(kappa_of(rows.b[c], rows.c[c]) - least > plain_share))
                 close[count++] = c;
+        if (count > Batch::most_close) return false;
         const Retained told = tell_apart(batch, i, close, count, rules);
         for (int c = 0; c < count; ++c)
             if (batch.candidates[close[c]].place == place_of(told.segment, told.piece)) best = close[c];
@@ -156,8 +157,6 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
     const int count = batch.candidate_count;
     batch.candidate_count = 0;
     if (count == 0) return;
-    LandingLimits limits = landing_limits(batch.depth, batch.proximity);
-    limits.decide = false;
     int place[LandingRows::room] = {};
     for (int c = 0; c < count; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
@@ -165,7 +164,7 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
         ask_at(batch.rows, c, one.place, batch, one.column);
     }
     gather(batch.rows, tool_, place, count, growth_);
-    plain_landing(batch.rows, count, limits);
+    plain_landing(batch.rows, count, landing_limits(batch.depth, batch.proximity));
     for (int first = 0; first < count;) {
         const int i = batch.candidates[first].column;
         int last = first + 1;

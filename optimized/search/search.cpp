@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "optimized/search/margins.h"
-#include "optimized/search/rates.h"
 #include "optimized/search/segment_boxes.h"
 
 namespace type21::optimized {

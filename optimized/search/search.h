@@ -12,6 +12,7 @@
 #include "optimized/search/box_tree.h"
 #include "optimized/search/gather.h"
 #include "optimized/search/prism.h"
+#include "optimized/search/rates.h"
 
 namespace type21::optimized {
 
@@ -52,7 +53,8 @@ struct PathTally {
 class AskedAgain {
   public:
     void add(const PathTally& cycle, long nodes) {
-        const double now = static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
+        const double now =
+            static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
         // The first cycle searches for all.
         mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
     }
@@ -72,8 +74,6 @@ struct ReachBoxRule {
 
 /// Added to m(T) where T is not foreseen.
 constexpr float beyond_foreseen = 4;
-/// Weights >= weight_limit stay >= -rate_weights within this over their rate.
-constexpr double rate_reach = 0.2;
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
@@ -91,12 +91,12 @@ constexpr double rate_reach = 0.2;
 /// weight of V >= lead_weight is taken by any that has not. Exactly above V all that have it are tied (tie.h): if T
 /// takes the node, it is retained.
 ///
-/// Steady. Where T is retained, a ball around the node in which every sub-triangle that takes it has a larger kappa than
-/// T: as long as T takes it as contact, T is retained. A sub-triangle that takes the node now, or is only too far from
-/// it, keeps its distance in kappa for (kappa' - kappa) / (2 (rate + rate')), the rates being those of rates.h; one
-/// whose weights are below the limit by w cannot take it within w / rate', and one out of whose box, or heights, the
-/// node is needs that way. Both rates hold for 0.05 / rate, where weights are still >= -rate_weights. Near a side m2(T)
-/// leaves E alone to be asked, within (w - m2) / rate. Gaps are not part of this: a ball outlives their change.
+/// Steady. Where T is retained, a ball around the node in which every sub-triangle that takes it has a larger kappa
+/// than T: as long as T takes it as contact, T is retained. A sub-triangle that takes the node now, or is only too far
+/// from it, keeps its distance in kappa for (kappa' - kappa) / (2 (rate + rate')), the rates being those of rates.h;
+/// one whose weights are below the limit by w cannot take it within w / rate', and one out of whose box, or heights,
+/// the node is needs that way. Both rates hold for rate_reach / rate. Near a side m2(T) leaves E alone to be asked,
+/// within (w - m2) / rate. Gaps are not part of this: a ball outlives their change.
 ///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
@@ -146,6 +146,10 @@ class Search {
         Pair pairs[LandingRows::room], close[room];
         Candidate candidates[LandingRows::room];
         int pair_count = 0, close_count = 0, candidate_count = 0;
+        static constexpr int most_close =
+            16;  ///< that plain numbers do not tell apart; a node with more is asked alone
+        Contender contenders[most_close];
+        SegmentData segments[most_close];
     };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
@@ -181,9 +185,7 @@ class Search {
         return margin >= 0 ? margin : new_core(place);
     }
     float new_core(int place) const;
-    bool core_known(int place) const {
-        return margins(place).alone.load(std::memory_order_relaxed) >= 0;
-    }
+    bool core_known(int place) const { return margins(place).alone.load(std::memory_order_relaxed) >= 0; }
     /// Known to be one whose projections have to be filtered.
     bool filtered(int place) const {
         return place >= 0 && margins(place).alone.load(std::memory_order_relaxed) >= beyond_foreseen;
@@ -228,6 +230,8 @@ class Search {
         rejected  ///< not here, however near
     };
     Standing standing(const LandingRows& rows, int column, double depth, int place) const;
+    /// The same for a place that ask_at put there, which mostly the rows tell.
+    Standing standing_in_rows(const LandingRows& rows, int column, double depth, int place) const;
     double clipped_distance(const LandingRows& rows, int column, int place) const;
     /// Within this of the node the sub-triangle, whose rate is given, cannot take it, or only with a larger kappa than
     /// `least`, whose rate is `least_rate`; <= 0: not known.
@@ -239,7 +243,7 @@ class Search {
     /// Lands what candidates there are, and decides the nodes whose candidates are there.
     void decide_candidates(Batch& batch, const Rules& rules, bool remembers) const;
     bool decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const;
-    Retained tell_apart(const Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
+    Retained tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
     Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
     void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
     void put(Batch& batch, int i, const Found& found) const;

@@ -41,6 +41,15 @@ void add_pan_targets(const BenchScene& scene, int size, BenchResult& result) {
                               row.setup.front().bytes_per_segment, ""});
 }
 
+/// How the decisions to compare are shared out: an exact answer of the adversarial families costs a hundred times one
+/// of the scenes, and `fuzz` asks them without end.
+struct CheckShares {
+    explicit CheckShares(long all) : bowl(all / 10), ties(all / 20), families(std::min(all / 20, 500000L)) {
+        pans = all - bowl - ties - families;
+    }
+    long bowl, ties, families, pans;
+};
+
 void time_bowl(const BenchOptions& options, BenchResult& result) {
     const BenchScene bowl = bowl_bench(options.blank, options.tool);
     options.progress(fmt::format("bowl: {} nodes on {} quads", bowl.nodes(), bowl.segments().size()));
@@ -57,7 +66,7 @@ void time_bowl(const BenchOptions& options, BenchResult& result) {
     measure_effects(options, result);
     if (options.check == 0) return;
     options.progress("bowl: check of decisions");
-    result.check.push_back(check_steps(bowl, options.check / 10));
+    result.check.push_back(check_steps(bowl, CheckShares(options.check).bowl));
 }
 
 void time_ties(const BenchOptions& options, BenchResult& result) {
@@ -66,7 +75,7 @@ void time_ties(const BenchOptions& options, BenchResult& result) {
     measure_methods(ties, options, true, result);
     result.targets.push_back({"cost of exactness, structured ties", ties.name, "x", Better::lower, 2, 1.3,
                               ratio_of(result, ties.name, exactness), "full search"});
-    if (options.check > 0) result.check.push_back(check_steps(ties, options.check / 20));
+    if (options.check > 0) result.check.push_back(check_steps(ties, CheckShares(options.check).ties));
 }
 
 void time_pan(int size, const BenchOptions& options, BenchResult& result) {
@@ -77,8 +86,8 @@ void time_pan(int size, const BenchOptions& options, BenchResult& result) {
     add_pan_targets(pan, size, result);
     if (options.check > 0) {
         options.progress(name + ": check of decisions");
-        // The pans share what the other scenes and the families leave.
-        const auto share = options.check * 8 / 10 / static_cast<long>(options.sizes.size());
+        const auto pans = static_cast<long>(options.sizes.size());
+        const long share = (CheckShares(options.check).pans + pans - 1) / pans;
         result.check.push_back(check_steps(pan, share));
     }
     options.progress(name + ": gap 0.5 mm");
@@ -99,7 +108,7 @@ void time_generated(const BenchOptions& options, BenchResult& result) {
         time_pan(size, options, result);
     if (options.check == 0) return;
     options.progress("adversarial families: check of decisions");
-    result.check.push_back(check_families(options.check / 20, options.threads.back()));
+    result.check.push_back(check_families(CheckShares(options.check).families, options.threads.back()));
 }
 
 void add_growth_target(int usual_nodes, BenchResult& result) {

@@ -19,9 +19,10 @@ namespace type21::bench {
 
 /// "implementation, method" of the rows.
 namespace method {
-inline const std::string coherent = "optimized, coherent step", select = "optimized, coherent selection", whole = "optimized, coherent step with the report",
-                         full = "optimized, full search", plain = "plain double, full search",
-                         reference_step = "reference, step", embree = "Embree, point query with double callback",
+inline const std::string coherent = "optimized, coherent step", select = "optimized, coherent selection",
+                         whole = "optimized, coherent step with the report", full = "optimized, full search",
+                         plain = "plain double, full search", reference_step = "reference, step",
+                         embree = "Embree, point query with double callback",
                          cgal = "CGAL AABB tree, closest point in double",
                          epick = "CGAL AABB tree, closest point with EPICK", listed = "candidate list, step",
                          listed_search = "candidate list, search and projection";

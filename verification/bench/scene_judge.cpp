@@ -38,7 +38,8 @@ void SceneBench::judge() {
     const long n = static_cast<long>(place_.size());
     std::vector<Decision> truth;
     std::array<long, 4> settled{};
-    long step_decisions = n, step_wrong = 0, select_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0, in_contact = 0;
+    long step_decisions = n, step_wrong = 0, select_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0,
+         in_contact = 0;
     if (generated()) {
         tbb::task_arena several(options_.threads.back());
         truth = several.execute([&] { return Truth(scene_).at(scene_.motion(0)); });

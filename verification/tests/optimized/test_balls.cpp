@@ -95,9 +95,8 @@ TEST(Rates, BoundHowWeightsChange) {
             plain_landing(*rows, 2, {reach, reach, reach, 0, false});
             const double rate = double(rates[static_cast<size_t>(place)]);
             const auto weights = [&](size_t i) {
-                return std::array<double, 6>{rows->weight[0][i], rows->weight[1][i],
-                                             rows->weight[2][i], rows->b[i],
-                                             rows->c[i],         1 - rows->b[i] - rows->c[i]};
+                return std::array<double, 6>{rows->weight[0][i], rows->weight[1][i], rows->weight[2][i],
+                                             rows->b[i],         rows->c[i],         1 - rows->b[i] - rows->c[i]};
             };
             const auto w = weights(0), v = weights(1);
             const double height = std::abs(rows->height[0]) / std::sqrt(rows->square[0]);
