@@ -9,7 +9,6 @@ namespace type21::optimized {
 namespace {
 
 constexpr int most_segments = LandingRows::room / 4;  ///< around a node; with more it is asked alone
-constexpr int most_close = 16;                        ///< that plain numbers do not tell apart; likewise
 
 struct Near {
     int segment;
