@@ -15,17 +15,6 @@ double damping_of_tool(double share, double inertia, double stiffness) {
 
 }  // namespace
 
-void PathCounts::add(const PathTally& cycle, long asked) {
-    nodes += asked;
-    certified += cycle.certified;
-    steady += cycle.steady;
-    paired += cycle.paired;
-    quiet += cycle.quiet;
-    searched += cycle.searched;
-    fine += cycle.fine;
-    whole += cycle.whole;
-}
-
 void Contact::State::run(const Motion& motion, const Output& out) {
     const Cycle cycle(laws, motion, inacti);
     const int count = static_cast<int>(nodes.node.size());
@@ -56,7 +45,8 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         cycle_paths.add(w.tally);
     }
     asked_again.add(cycle_paths, count);
-    counts.add(cycle_paths, count);
+    counts.add(cycle_paths);
+    counts.nodes += count;
     if (lanes && !laws.has(effect::friction)) total.without_friction();
 }
 

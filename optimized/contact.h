@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "optimized/search/path_tally.h"
 #include "reference/contact/contact.h"
 
 namespace type21::optimized {
@@ -16,19 +17,9 @@ struct LeanStep {
     ToolLoad tool;
 };
 
-struct PathTally;
-
 /// How decisions came about since the start.
-struct PathCounts {
-    long nodes = 0;      ///< asked
-    long certified = 0;  ///< by the core of the last sub-triangle
-    long steady = 0;     ///< by a ball around where it was searched for
-    long paired = 0;     ///< between it and its neighbour over one side
-    long quiet = 0;      ///< by the clearance of a node that nothing takes
-    long searched = 0;   ///< by the tree
-    long fine = 0;       ///< of these, settled in 100 bits
-    long whole = 0;      ///< of these, settled by whole numbers
-    void add(const PathTally& cycle, long asked);
+struct PathCounts : PathTally {
+    long nodes = 0;  ///< asked
 };
 
 /// Threads: as many as the TBB arena that calls step has; the result is the same bits for any number.

@@ -28,16 +28,6 @@ Retained Search::Batch::retained(int i) const {
     return r;
 }
 
-void PathTally::add(const PathTally& other) {
-    certified += other.certified;
-    steady += other.steady;
-    paired += other.paired;
-    quiet += other.quiet;
-    searched += other.searched;
-    fine += other.fine;
-    whole += other.whole;
-}
-
 void Search::find(Batch& batch, const Rules& rules) const {
     int looking[Batch::room], open[Batch::room], look = 0, left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;

@@ -11,6 +11,7 @@
 #include "optimized/decide/foreseen_bounds.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/gather.h"
+#include "optimized/search/path_tally.h"
 #include "optimized/search/prism.h"
 #include "optimized/search/rates.h"
 
@@ -39,12 +40,6 @@ enum class Path {
     paired,     ///< that sub-triangle or its neighbour over one side, and no other can take the node there
     quiet,      ///< nothing takes it: it has moved less than its clearance
     searched    ///< all that may take it were asked
-};
-
-/// How many decisions came about how.
-struct PathTally {
-    long certified = 0, steady = 0, paired = 0, quiet = 0, searched = 0, fine = 0, whole = 0;
-    void add(const PathTally& other);
 };
 
 /// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches; where
