@@ -44,7 +44,7 @@ void Search::find(Batch& batch, const Rules& rules) const {
             batch.path[i] = Path::quiet;
             ++batch.tally.quiet;
         } else if (memory->place >= 0 && !(memory->radius > 0) &&
-                   (within || batch.cores || -double(memory->radius) < small_ball_ || core_known(memory->place))) {
+                   (within || batch.cores || -double(memory->radius) < small_ball_)) {
             tool_.prefetch_segment(segment_of(memory->place));
             if (within) batch.path[i] = Path::steady;
             looking[look++] = i;
@@ -157,6 +157,15 @@ void Search::ask_at(LandingRows& rows, int column, int place, const Batch& batch
         rows.y[a][column] = batch.y[a][i];
     rows.gap[column] = batch.gap[i];
     rows.core[column] = foreseen(place) ? taking : double(beyond_foreseen);
+}
+
+void Search::land_one(const V3& y, const Window& window, int place, LandingRows& rows) const {
+    for (int a = 0; a < 3; ++a)
+        rows.y[a][0] = y[a];
+    rows.gap[0] = window.gap;
+    rows.core[0] = foreseen(place) ? taking : double(beyond_foreseen);
+    gather(rows, tool_, &place, 1, growth_);
+    plain_landing(rows, 1, landing_limits(window.depth, window.proximity));
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {

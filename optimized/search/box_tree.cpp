@@ -99,9 +99,10 @@ BoxTree::Asked BoxTree::asked(const Box& box, double distance) {
     return query;
 }
 
-/// Squares beyond float hide nothing: from 1e15 on all that is finite counts as near.
+/// From 1e15 on, where squares come to an end, all counts as near.
 void BoxTree::limit(Asked& query, double distance) {
-    query.most = distance < 1e15 ? up(distance * distance * (1 + 1e-5)) : std::numeric_limits<float>::max();
+    query.most =
+        distance < 1e15 ? up(distance * distance * (1 + 1e-5) + double(tiny)) : std::numeric_limits<float>::infinity();
 }
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, Machine machine)

@@ -61,8 +61,12 @@ class BoxTree {
 
     static Asked asked(const Box& box, double distance);
     static void limit(Asked& query, double distance);
-    /// Squares are rounded to nearest four times.
-    static double distance(float square) { return square > 0 ? std::sqrt(double(square)) * (1 - 1e-6) : 0.0; }
+    /// Squares of floats are off by 1e-6 of themselves, and by less than this where they are tiny.
+    static constexpr float tiny = 1e-36F;
+    static double distance(float square) {
+        constexpr double farthest = 1.8e19;  // beyond that a square is infinite
+        return square > tiny ? std::min(std::sqrt(double(square) - double(tiny)) * (1 - 1e-6), farthest) : 0.0;
+    }
     static unsigned ask_eight(const Branch& branch, const Asked& query, float* distance2);
     static unsigned ask_four(const Branch& branch, const Asked& query, float* distance2);
 

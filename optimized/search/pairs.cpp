@@ -1,4 +1,5 @@
 // Nodes near a side: the two sub-triangles that can take them, told apart in double, in 100 bits, exactly.
+#include <algorithm>
 #include <cmath>
 
 #include "optimized/search/margins.h"
@@ -42,7 +43,8 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
 /// Step 4: of the node from the point with its weights clipped.
 double Search::clipped_distance(const LandingRows& rows, int i, int place) const {
     const double a = 1 - rows.b[i] - rows.c[i];
-    const double clipped[3] = {std::max(a, 0.0), std::max(rows.b[i], 0.0), std::max(rows.c[i], 0.0)};
+    const double clipped[3] = {std::clamp(a, 0.0, 1.0), std::clamp(rows.b[i], 0.0, 1.0),
+                               std::clamp(rows.c[i], 0.0, 1.0)};
     const double sum = (clipped[0] + clipped[1]) + clipped[2];
     const SegmentData segment = tool_.segment(segment_of(place));
     return norm(offset_from_landing({rows.y[0][i], rows.y[1][i], rows.y[2][i]}, segment, piece_of(place),
@@ -112,7 +114,7 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
             batch.place[pair.column] = pair.own;
             const double own = rate(pair.own);
             const double alone = ball(rows, j, stands, rate(pair.other), pair.kappa, own);
-            keep_steady(batch, pair.column, pair.own, std::min(std::min(pair.room, rate_reach) / own, alone));
+            keep_steady(batch, pair.column, pair.own, std::min(std::min(pair.room / own, reach_of(own)), alone));
         } else if (stands == Standing::taken && apart < -plain_share) {
             take(batch, pair.column, pair.other, rows, j);
         } else if (stands == Standing::taken && over_shared_side(batch, pair)) {
@@ -180,6 +182,7 @@ Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, c
     }
     Found found{decider.retained([&](int s) { return tool_.segment(s); }), Path::paired};
     batch.memory[i]->forget();
+    use_plain_magnitudes(y, window, found.retained);
     if (found.retained.segment >= 0) batch.memory[i]->place = place_of(found.retained.segment, found.retained.piece);
     return found;
 }

@@ -20,12 +20,13 @@ struct Near {
 double Search::ball(const LandingRows& rows, int i, Standing standing, double rate, double least,
                     double least_rate) const {
     if (standing == Standing::unknown) return 0;
-    const double cap = rate_reach / rate;
     if (standing != Standing::taken) {
         const double height = std::abs(rows.height[i]) / std::sqrt(rows.square[i]);
         const double above = height * (1 - 1e-9) - (rows.height[i] > 0 ? limits_.outward : limits_.inward);
         if (above > 0) return above - 2 * foreseen_share * rows.size[i];
     }
+    if (!(rate < no_rate && least_rate < no_rate)) return 0;
+    const double cap = rate_reach / rate;
     if (standing != Standing::rejected)
         return std::min(cap, (kappa_of(rows.b[i], rows.c[i]) - least - plain_share) / (2 * (rate + least_rate)));
     const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
@@ -132,7 +133,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     ++batch.tally.searched;
     const int place = batch.candidates[best].place;
     take(batch, i, place, rows, best);
-    if (remembers) keep_steady(batch, i, place, std::min(radius(), rate_reach / double(rate(place))));
+    if (remembers) keep_steady(batch, i, place, std::min(radius(), reach_of(rate(place))));
     return true;
 }
 
@@ -196,7 +197,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
                 __builtin_prefetch(&margins(place_of(s, 1)));
                 ++segments;
             });
-        if (!plain || segments > most_segments || (remembers && filtered(batch.memory[i]->place))) {
+        if (!plain || segments > most_segments || (remembers && filtered(*batch.memory[i]))) {
             ask_alone(batch, i, rules, remembers);
             continue;
         }

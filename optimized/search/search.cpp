@@ -91,26 +91,25 @@ void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memo
     memory.forget();
     if (found.retained.segment >= 0) {
         memory.place = place_of(found.retained.segment, found.retained.piece);
-        if (found.retained.settled == Settled::filter) return;
-        // Its magnitudes are those that it has where its core is known, or history would show in a last bit.
-        LandingRows rows;
-        rows.y[0][0] = y.x;
-        rows.y[1][0] = y.y;
-        rows.y[2][0] = y.z;
-        rows.gap[0] = window.gap;
-        rows.core[0] = double(core(memory.place));
-        gather(rows, tool_, &memory.place, 1, growth_);
-        plain_landing(rows, 1, landing_limits(window.depth, window.proximity));
-        if (rows.certain[0] > 0) {
-            Landing& landing = found.retained.landing;
-            landing.b = rows.b[0];
-            landing.c = rows.c[0];
-            landing.lift = rows.lift[0];
-            landing.normal = {rows.n[0][0], rows.n[1][0], rows.n[2][0]};
-        }
+        use_plain_magnitudes(y, window, found.retained);
         return;
     }
     keep_quiet(y, memory);
+}
+
+/// Where a plain projection is known to do, its numbers are those of the impact, whatever settled the decision: or
+/// history would show in a last bit.
+void Search::use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const {
+    if (reach_box_.on || retained.segment < 0 || retained.settled == Settled::filter) return;
+    const int place = place_of(retained.segment, retained.piece);
+    LandingRows rows;
+    land_one(y, window, place, rows);
+    if (standing_in_rows(rows, 0, window.depth, place) != Standing::taken) return;
+    Landing& landing = retained.landing;
+    landing.b = rows.b[0];
+    landing.c = rows.c[0];
+    landing.lift = rows.lift[0];
+    landing.normal = {rows.n[0][0], rows.n[1][0], rows.n[2][0]};
 }
 
 void Search::keep_quiet(const V3& y, Memory& memory) const {

@@ -44,7 +44,7 @@ enum class Path {
 
 /// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches; where
 /// balls hold for long, searching is cheaper. Judged by the mean of about the last eight cycles, of all nodes, so that
-/// no thread's pace has a part in it.
+/// no thread's pace has a part in it; once they pay they are asked for ever after.
 class AskedAgain {
   public:
     void add(const PathTally& cycle, long nodes) {
@@ -52,11 +52,13 @@ class AskedAgain {
             static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
         // The first cycle searches for all.
         mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
+        often_ = often_ || mean_ > 0.06;
     }
-    bool often() const { return mean_ > 0.06; }
+    bool often() const { return often_; }
 
   private:
     double mean_ = -1;
+    bool often_ = false;
 };
 
 /// D34: the box in which a node must lie before a segment competes at all.
@@ -110,7 +112,7 @@ class Search {
 
         int count = 0;
         double depth = 0, proximity = 0;  ///< of all [length]
-        bool cores = true;                ///< find those that are not known; else for nodes with small balls only
+        bool cores = true;                ///< ask them; else for nodes with small balls only
         Memory* memory[room];             ///< nullptr: not asked
         alignas(64) Row y[3];             ///< in the tool frame [length]
         alignas(64) Row gap;              ///< that decides contact [length]
@@ -180,13 +182,12 @@ class Search {
         return margin >= 0 ? margin : new_core(place);
     }
     float new_core(int place) const;
-    bool core_known(int place) const { return margins(place).alone.load(std::memory_order_relaxed) >= 0; }
-    /// Known to be one whose projections have to be filtered.
-    bool filtered(int place) const {
-        return place >= 0 && margins(place).alone.load(std::memory_order_relaxed) >= beyond_foreseen;
-    }
     float rate(int place) const { return margins(place).rate; }
     bool foreseen(int place) const { return std::isfinite(rate(place)); }
+    /// Known to be one whose projections have to be filtered.
+    bool filtered(const Memory& memory) const { return memory.place >= 0 && !foreseen(memory.place); }
+    /// How far the rate itself holds [length]
+    static double reach_of(double rate) { return rate < no_rate ? rate_reach / rate : 0.0; }
     void find_cores(int segment) const;
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;
@@ -201,6 +202,8 @@ class Search {
     LandingLimits landing_limits(double depth, double proximity) const;
     /// Where node i of the batch is, and whether the bounds of the place are foreseen.
     void ask_at(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
+    void land_one(const V3& y, const Window& window, int place, LandingRows& rows) const;
+    void use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const;
     /// These nodes of the batch, where they were last. @param open  filled with those that are left
     /// @return how many are left
     int look_again(Batch& batch, const int* nodes, int count, const Rules& rules, int* open) const;

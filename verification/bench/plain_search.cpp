@@ -54,7 +54,8 @@ void PlainSearch::decide(std::span<const double> gap, double depth, std::span<De
         const V3 n{r.n[0][c], r.n[1][c], r.n[2][c]};
         double distance = std::abs(r.lift[c]) * norm(n);
         if (std::min({a, b, q}) < 0) {
-            const double ca = std::max(a, 0.0), cb = std::max(b, 0.0), cc = std::max(q, 0.0), sum = ca + cb + cc;
+            const double ca = std::clamp(a, 0.0, 1.0), cb = std::clamp(b, 0.0, 1.0), cc = std::clamp(q, 0.0, 1.0),
+                         sum = ca + cb + cc;
             distance = norm(optimized::offset_from_landing({r.y[0][c], r.y[1][c], r.y[2][c]}, tool_.segment(segment),
                                                            piece, cb / sum, cc / sum));
         }

@@ -107,6 +107,21 @@ TEST(BoxTree, HidesNothingFarAwayOrHuge) {
     }
 }
 
+TEST(BoxTree, HidesNothingTinyOrBeyondSquares) {
+    const double small = std::ldexp(1.0, -75) * 1.035;
+    for (const double size : {small, 2e19}) {
+        std::vector<Box> boxes(1);
+        boxes[0].extend(V3{size, size, size});
+        const double exact = std::sqrt(3.0) * size;
+        int found = 0;
+        BoxTree(boxes).within({0, 0, 0}, 1.0001 * exact, [&](int, double apart) {
+            ++found;
+            EXPECT_LE(apart, exact);
+        });
+        EXPECT_EQ(found, 1) << size;
+    }
+}
+
 TEST(Gather, FillsTheSameRowsOnEachMachine) {
     std::mt19937_64 random(2);
     for (const bool triangles : {false, true}) {
