@@ -19,20 +19,34 @@ Scene scene_of(const std::string& name) {
     return plan(std::move(model));
 }
 
-/// All numbers of a run that sums and forces enter.
+/// All numbers of a run that sums and forces enter, and how its decisions came about.
 std::vector<double> history(const Scene& scene, int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
     std::vector<double> numbers;
+    std::vector<const optimized::Contact*> contacts;
     march(
-        scene, [](const Scene& s, int i) { return std::make_unique<optimized::Contact>(s, i); },
+        scene,
+        [&](const Scene& s, int i) {
+            auto made = std::make_unique<optimized::Contact>(s, i);
+            contacts.push_back(made.get());
+            return made;
+        },
         [&](const CycleRecord& record) {
             for (const ContactStep& step : *record.contacts) {
                 for (const Vec3& v : {step.tool.force, step.tool.moment, step.sums.tangential, step.sums.abs_total})
                     numbers.insert(numbers.end(), v.data(), v.data() + 3);
                 numbers.insert(numbers.end(),
                                {step.sums.elastic_energy, step.sums.friction_work, step.tool.step_rotation});
-                for (const NodeContact& node : step.nodes)
+                for (const NodeContact& node : step.nodes) {
                     numbers.insert(numbers.end(), node.force.data(), node.force.data() + 3);
+                    numbers.push_back(static_cast<double>(node.decision.stage));
+                }
+            }
+            for (const optimized::Contact* contact : contacts) {
+                const optimized::PathCounts paths = contact->paths();
+                for (const long count : {paths.certified, paths.steady, paths.paired, paths.quiet, paths.searched,
+                                         paths.fine, paths.whole})
+                    numbers.push_back(static_cast<double>(count));
             }
         });
     return numbers;
