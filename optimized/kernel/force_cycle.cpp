@@ -26,7 +26,7 @@ TYPE21_AVX2 void transform_four(Search::Batch& rows, int count, const ForceCycle
 
 }  // namespace
 
-ForceCycle::ForceCycle(const Laws& laws, const Cycle& cycle) {
+ForceCycle::ForceCycle(const Laws& of, const Cycle& cycle) : laws(&of) {
     const ToolMotion& pose = cycle.pose;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
@@ -35,7 +35,7 @@ ForceCycle::ForceCycle(const Laws& laws, const Cycle& cycle) {
         speed[i] = pose.velocity[i];
         turning[i] = pose.angular_velocity[i];
     }
-    const Interface& card = *laws.card;
+    const Interface& card = *of.card;
     viss = card.viss;
     step = cycle.motion.step;
     per_step = step > 0 ? 1 / step : 0.0;

@@ -139,7 +139,23 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_n
         dot_of(trial, trial, square);
         root_of(square, size);
         magnitude_of(normal_force, limit);
-        limit *= c.mu;
+        if constexpr (has(Effects, effect::law)) {
+            V across;
+            L mu;
+            across.x = v.x - nu.x * vn;
+            across.y = v.y - nu.y * vn;
+            across.z = v.z - nu.z * vn;
+            dot_of(across, across, square);
+            root_of(square, mu);
+            store(mu, f.sliding + j);
+            store(normal_force, f.normal_force + j);
+            store(closed, f.closed + j);
+            coefficients_in_rows(c, at, first_node, f, j, W);
+            load(f.mu + j, mu);
+            limit *= mu;
+        } else {
+            limit *= c.mu;
+        }
         if constexpr (has(Effects, effect::pmax)) {
             if (c.limited) least_of(most / std::sqrt(3.0), limit);
         }
@@ -259,8 +275,8 @@ Forces forces_on(Machine machine) {
 }  // namespace
 
 Forces forces_for(unsigned effects, Machine machine) {
-    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax;
-    switch (effects & (damping | rubbing | pmax)) {
+    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax, law = effect::law;
+    switch (effects & (damping | rubbing | pmax | law)) {
         case 0:
             return forces_on<0>(machine);
         case damping:
@@ -275,6 +291,14 @@ Forces forces_for(unsigned effects, Machine machine) {
             return forces_on<pmax | damping>(machine);
         case pmax | rubbing:
             return forces_on<pmax | rubbing>(machine);
+        case law | rubbing:
+            return forces_on<law | rubbing>(machine);
+        case law | rubbing | damping:
+            return forces_on<law | rubbing | damping>(machine);
+        case law | rubbing | pmax:
+            return forces_on<law | rubbing | pmax>(machine);
+        case law | rubbing | pmax | damping:
+            return forces_on<law | rubbing | pmax | damping>(machine);
         default:
             return forces_on<damping | rubbing | pmax>(machine);
     }

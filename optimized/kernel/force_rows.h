@@ -14,6 +14,7 @@ struct ForceRows {
     static constexpr int room = LandingRows::room;
     using Row = double[room];
 
+    int rank = 0;  ///< of the node in the first column
     // Asked. Masks are all ones or all zeros.
     alignas(64) long long contact[room];  ///< retained, and contact
     alignas(64) long long first[room];    ///< this is the first cycle of an impact
@@ -40,6 +41,8 @@ struct ForceRows {
     alignas(64) Row elastic;             ///< F [force]
     alignas(64) Row energy;              ///< [energy]
     alignas(64) Row normal_force;        ///< F_n [force]
+    alignas(64) Row sliding;             ///< speed across nu, friction laws only [velocity]
+    alignas(64) Row mu;                  ///< friction laws only [-]
     alignas(64) Row force[3];            ///< on the node; 0 where it is not closed [force]
     alignas(64) Row step_stiffness;      ///< k + C/dt1; 0 where it is not closed [force/length]
 };
@@ -64,6 +67,7 @@ void fetch(const Vector& from, double (*to)[room], int j) {
 struct ForceCycle {
     ForceCycle(const Laws& laws, const Cycle& cycle);
 
+    const Laws* laws;
     double rotation[3][3];        ///< R
     double center[3];             ///< x_G [length]
     double speed[3], turning[3];  ///< V_t, Omega
@@ -79,8 +83,13 @@ struct ForceCycle {
 /// Writes the terms of the sums from `column` of the block on, zeros where a node is not closed.
 using Forces = void (*)(const ForceCycle&, const Search::Batch&, int first, ForceRows&, int count, TermBlock&,
                         int column);
-/// @param effects  of damping, friction and pmax
+/// @param effects  of damping, friction, law and pmax
 Forces forces_for(unsigned effects, Machine machine = this_machine());
+
+/// mu of some columns whose closed, normal_force and sliding stand in the rows. @param first  node of the batch in the
+/// first column
+void coefficients_in_rows(const ForceCycle& cycle, const Search::Batch& batch, int first, ForceRows& rows, int column,
+                          int count);
 
 /// y = R^T (x - x_G) of the nodes of a batch, which has x in its place; the operations and their order are part of the
 /// position that decisions are exact for.

@@ -50,6 +50,7 @@ bool prepare(const Laws& laws, const Cycle& cycle, const NodeData& nodes, int fi
     fetch(nodes.stiffness, first, count, f.stiffness);
     fetch(nodes.offset, first, count, f.offset);
     if (laws.has(effect::damping)) fetch(nodes.mass, first, count, f.mass);
+    f.rank = first;
     if (laws.has(effect::friction)) {
         for (int j = 0; j < count; ++j)
             fetch(nodes.friction[static_cast<size_t>(first + j)], f.friction, j);

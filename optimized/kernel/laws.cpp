@@ -34,7 +34,9 @@ Laws::Laws(const Scene& scene, int interface)
     normals_test = asked(Effect::normals_test);
     effects_ = (asked(Effect::damping) ? effect::damping : 0) | (asked(Effect::friction) ? effect::friction : 0) |
                (asked(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
-    if (!coulomb || deletion || skid || release || normals_test || d05 || d11 || d12 || d33)
+    const bool by_temperature = friction_of_temperature != nullptr;
+    if (!coulomb && !by_temperature && asked(Effect::friction)) effects_ |= effect::law;
+    if (by_temperature || deletion || skid || release || normals_test || d05 || d11 || d12 || d33)
         effects_ |= effect::rare | effect::any;
     const auto vector = [&](Term first) {
         for (int i = 0; i < 3; ++i)

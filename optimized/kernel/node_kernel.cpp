@@ -76,7 +76,7 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
     const double k = acts ? nodes.increment_stiffness(i) : 0.0;
     const double area = card.secondary.area[i];
     double mu = 0;
-    if (!on<Effects>(laws, effect::rare) || laws.coulomb) {
+    if ((Effects & effect::any) == 0 || laws.coulomb) {
         mu = card.fric;
     } else {
         double factor = 1;

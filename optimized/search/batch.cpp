@@ -1,4 +1,5 @@
-// Many nodes at once: cores in the lanes of registers, then pairs likewise (pairs.cpp), then one after the other.
+// Many nodes at once, in the lanes of registers: balls and cores, then pairs (pairs.cpp), then all that may take them
+// (rows_search.cpp).
 #include <algorithm>
 #include <cmath>
 #include <cstring>
