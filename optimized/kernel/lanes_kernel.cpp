@@ -84,6 +84,26 @@ void remember(const ForceRows& f, int first, int count, NodeData& nodes) {
         nodes.friction[static_cast<size_t>(first + j)] = {f.friction[0][j], f.friction[1][j], f.friction[2][j]};
 }
 
+/// Nodes that have to be named, in their order; before remember(), which counts the cycles on.
+void list(const Laws& laws, NodeData& nodes, const Search::Batch& batch, int at, int first, int count,
+          const ForceRows& f, ChunkLists& lists) {
+    for (int j = 0; j < count; ++j) {
+        const auto i = static_cast<size_t>(first + j);
+        if (f.closed[j] == 0) continue;
+        if (laws.normals_test && f.first[j] != 0 && f.deep[j] > f.gap[j] + 0.99 * laws.card->depth)
+            lists.inverted.push_back({nodes.node[i], segment_of(batch.place[at + j]), f.deep[j]});
+        if (laws.release && f.penetration[j] > 0 && nodes.released[i] == 0) {
+            nodes.released[i] = 1;
+            lists.released.push_back(nodes.node[i]);
+        }
+        if (!laws.skid || !laws.has(effect::friction)) continue;
+        const V3 rub{f.friction[0][j], f.friction[1][j], f.friction[2][j]};
+        const double share =
+            f.slides[j] != 0 ? skid_share(norm(rub), laws.card->pskid, laws.card->secondary.area[i]) : 0.0;
+        nodes.skid[i] = std::max(nodes.skid[i], share);
+    }
+}
+
 /// One node for the whole step, in column i of the batch and j of the forces.
 void report(const Laws& laws, const Search::Batch& batch, int i, const ForceRows& f, int j, double gap,
             NodeContact& out) {
@@ -115,7 +135,7 @@ void report(const Laws& laws, const Search::Batch& batch, int i, const ForceRows
 }  // namespace
 
 void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, int last, const Output& out,
-                  ChunkLists&, Workspace& work) {
+                  ChunkLists& own, Workspace& work) {
     const ForceCycle c(laws, cycle);
     const Forces forces = forces_for(laws.effects());
     static_assert(Search::Batch::room == TermBlock::room);
@@ -132,6 +152,7 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
         const bool acts = prepare(laws, cycle, nodes, start, batch, at, count, f);
         if (acts) {
             forces(c, batch, at, f, count, work.terms, columns);
+            if (laws.has(effect::lists)) list(laws, nodes, batch, at, start, count, f, own);
             columns += whole_registers(count);
             remember(f, start, count, nodes);
         } else {
@@ -140,6 +161,8 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
         if (out.node != nullptr) {
             for (int j = 0; j < count; ++j)
                 report(laws, batch, at + j, f, j, nodes.gap[static_cast<size_t>(start + j)], out.node[start + j]);
+            for (int j = 0; j < count && laws.skid; ++j)
+                out.node[start + j].skid = nodes.skid[static_cast<size_t>(start + j)];
         } else if (acts) {
             for (int j = 0; j < count; ++j)
                 out.force[start + j] = column(f.force, j);

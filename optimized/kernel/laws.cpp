@@ -36,8 +36,8 @@ Laws::Laws(const Scene& scene, int interface)
                (asked(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
     const bool by_temperature = friction_of_temperature != nullptr;
     if (!coulomb && !by_temperature && asked(Effect::friction)) effects_ |= effect::law;
-    if (by_temperature || deletion || skid || release || normals_test || d05 || d11 || d12 || d33)
-        effects_ |= effect::rare | effect::any;
+    if (skid || release || normals_test) effects_ |= effect::lists;
+    if (by_temperature || deletion || d05 || d11 || d12 || d33) effects_ |= effect::rare | effect::any;
     const auto vector = [&](Term first) {
         for (int i = 0; i < 3; ++i)
             terms_.push_back(static_cast<Term>(static_cast<int>(first) + i));

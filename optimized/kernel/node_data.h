@@ -16,11 +16,11 @@
 
 namespace type21::optimized {
 
-/// What a kernel may be compiled for. `law` stands for friction laws other than Coulomb's and pairs of parts, `rare`
-/// for everything else: departures of the contact geometry, friction by temperature, release, deletion, skid line, test
-/// of the normals.
+/// What a kernel may be compiled for. `law` stands for friction laws other than Coulomb's and pairs of parts, `lists`
+/// for what is told of single nodes beside their forces (release, skid line, test of the normals), `rare` for
+/// everything else: departures of the contact geometry, friction by temperature, deletion.
 namespace effect {
-constexpr unsigned damping = 1, friction = 2, pmax = 4, heat = 8, rare = 16, any = 32, law = 64;
+constexpr unsigned damping = 1, friction = 2, pmax = 4, heat = 8, rare = 16, any = 32, law = 64, lists = 128;
 }
 
 /// Constants and history of the secondary nodes; index: rank in SecondarySide::node. Rooms of effects that the scene
@@ -132,10 +132,11 @@ using Kernel = void (*)(const Laws&, const Cycle&, NodeData&, int first, int las
 /// The kernel for one node after the other with the effects of the scene and no others, where there is one; else the
 /// one that asks at run time.
 Kernel kernel_for(unsigned effects);
-/// That for many nodes at once, for t > 0, no effects but damping, friction of any law and pmax, and no proximity.
+/// That for many nodes at once, for t > 0, no effects but damping, friction of any law, pmax and lists, and no
+/// proximity.
 void lanes_kernel(const Laws&, const Cycle&, NodeData&, int first, int last, const Output&, ChunkLists&, Workspace&);
 inline bool in_lanes(unsigned effects) {
-    return (effects & ~(effect::damping | effect::friction | effect::pmax | effect::law)) == 0;
+    return (effects & ~(effect::damping | effect::friction | effect::pmax | effect::law | effect::lists)) == 0;
 }
 
 }  // namespace type21::optimized

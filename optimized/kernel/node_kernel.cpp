@@ -101,7 +101,7 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
     out.status = t.slides ? Status::slip : Status::stick;
     if (on<Effects>(laws, effect::heat) && k > 0)
         out.friction_heat = card.fheat * (dot(t.trial - t.force, t.force) / k);
-    if (on<Effects>(laws, effect::rare) && laws.skid) {
+    if (on<Effects>(laws, effect::lists) && laws.skid) {
         const double share = t.slides ? skid_share(norm(t.force), card.pskid, area) : 0.0;
         nodes.skid[i] = std::max(nodes.skid[i], share);
         out.skid = nodes.skid[i];
@@ -130,10 +130,10 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     const Motion& motion = cycle.motion;
     const ToolMotion& pose = cycle.pose;
     const bool heated = on<Effects>(laws, effect::heat);
-    const bool rare = on<Effects>(laws, effect::rare);
+    const bool rare = on<Effects>(laws, effect::rare), told = on<Effects>(laws, effect::lists);
     const double gap = nodes.gap[i];
     out.gap = gap;
-    if (rare && laws.skid) out.skid = nodes.skid[i];
+    if (told && laws.skid) out.skid = nodes.skid[i];
     if (asked == Ask::untouched) return false;
     const int model_node = nodes.node[i];
     if (retained.segment < 0) {
@@ -171,7 +171,7 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     // Section 6.
     const bool first = nodes.cycles[i] == 1;
     double offset = first && !cycle.time_zero ? deep : nodes.offset[i];
-    if (rare && laws.normals_test && first && deep > gap + 0.99 * card.depth)
+    if (told && laws.normals_test && first && deep > gap + 0.99 * card.depth)
         lists.inverted.push_back({model_node, out.decision.segment, deep});
     offset = offset_after(offset, cycle.inacti == 6, deep, gap);
     nodes.offset[i] = offset;
@@ -182,7 +182,7 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     const bool acts = p > 0 || (first && !forgiven);
     const double k = acts ? nodes.stiffness[i] : 0.0;
     out.stiffness = k;
-    if (rare && laws.release && p > 0 && nodes.released[i] == 0) {
+    if (told && laws.release && p > 0 && nodes.released[i] == 0) {
         nodes.released[i] = 1;
         lists.released.push_back(model_node);
     }
