@@ -5,9 +5,9 @@
 namespace type21::optimized {
 
 /// A sub-triangle is foreseen when, for every node with |P - o| <= foreseen_size, |H| <= growth |N|, |p|, |q| <= 4, W
-/// >= 1/2 and weights of step 2 >= -0.01, bounds like those that filter() derives are below foreseen_share: of each weight of
-/// step 2 and 3 and of H / (|N| size), |delta| / size. They grow with the numbers that they are made of, so the largest
-/// of these give the largest bounds (search/rates.cpp). Nodes for which more is needed are filtered.
+/// >= 1/2 and weights of step 2 >= -0.01, bounds like those that filter() derives are below foreseen_share: of each
+/// weight of step 2 and 3 and of H / (|N| size), |delta| / size. They grow with the numbers that they are made of, so
+/// the largest of these give the largest bounds (search/rates.cpp). Nodes for which more is needed are filtered.
 constexpr double foreseen_share = 1e-6;  ///< of weights [-], and of heights and distances as a share of the size
 
 /// What weights and kappa of plain projections must be away from what decides: ten times what they may be off by.
