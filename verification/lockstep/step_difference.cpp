@@ -103,6 +103,9 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
     const double rounding = 32 * ulp_of_one * scale.length;
     sum.energy += scale.force * (reference.penetration + rounding) + std::abs(reference.elastic_energy);
     sum.heat += scale.heat;
+    // When a node begins to slide hangs on the last bit, where the trial force comes to the limit itself.
+    if (card_.pskid > 0 && reference.status == Status::slip && other.status == Status::slip)
+        skid(i, reference.skid - other.skid, scale.force);
     if (reference.status == Status::open && other.status == Status::open) {
         if (reference.heat != 0 || other.heat != 0) tally(heat, std::abs(reference.heat - other.heat), scale.heat);
         return;
@@ -125,6 +128,13 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
                    std::abs(reference.step_stiffness - other.step_stiffness)),
           scale.stiffness);
     if (card_.ithe != 0) tally(heat, std::abs(reference.heat - other.heat), scale.heat);
+}
+
+/// A share of the skid line as the friction force that leaves it, which may have acted long ago.
+void StepDifference::skid(size_t i, double apart, double force_scale) {
+    if (skid_scale_.empty()) skid_scale_.resize(static_cast<size_t>(card_.secondary.size()), 0.0);
+    skid_scale_[i] = std::max(skid_scale_[i], force_scale);
+    tally(friction, std::abs(apart) * card_.pskid * card_.secondary.area[i] / std::sqrt(3.0), skid_scale_[i]);
 }
 
 void StepDifference::sums(const ContactStep& reference, const ContactStep& other, const Scales& scale) {

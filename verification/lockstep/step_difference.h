@@ -16,6 +16,7 @@ class StepDifference {
   private:
     struct Scales;
     void node(size_t i, const NodeContact& reference, const NodeContact& other, const Motion& motion, Scales& sum);
+    void skid(size_t i, double apart, double force_scale);
     void sums(const ContactStep& reference, const ContactStep& other, const Scales& scale);
     void lists(const ContactStep& reference, const ContactStep& other);
     void add_sum(const char* which, double difference, double scale);
@@ -26,7 +27,8 @@ class StepDifference {
     const Model& model_;
     LockstepResult& result_;
     LockstepPlace place_;
-    std::vector<double> noise_;  ///< largest scale of the force since each node's contact began [force]
+    std::vector<double> noise_;       ///< largest scale of the force since each node's contact began [force]
+    std::vector<double> skid_scale_;  ///< and since the start, where there is a skid line [force]
 };
 
 }  // namespace type21
