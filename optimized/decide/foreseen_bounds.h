@@ -16,6 +16,9 @@ constexpr double weight_limit = -0.01;  ///< Rules::low of all but the first loo
 /// Weights of step 3 that a sub-triangle surely takes.
 constexpr double plain_weight = weight_limit + plain_share;
 
+/// Added to a core where the sub-triangle is not foreseen.
+constexpr float beyond_foreseen = 4;
+
 /// Size that S of filter() does not exceed for the nodes meant here. @param extent  of the segment [length]
 inline double foreseen_size(double extent, double growth) {
     return extent + 1.5 * growth;

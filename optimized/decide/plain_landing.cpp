@@ -172,7 +172,7 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     // Without step 3 where step 2 rejects.
     const L lowest = inner < plain_weight ? inner : least;
     L rejected = lowest < weight_limit - plain_share ? sure : zero;
-    rejected = core < 4.0 ? rejected : zero;
+    rejected = core < double(beyond_foreseen) ? rejected : zero;
     store(rejected == 6.0 ? one : zero, rows.rejected + at);
     L touched = distance2 < nearer * nearer ? one : zero;
     touched += nearer > 0.0 ? one : zero;

@@ -34,8 +34,7 @@ struct LandingRows {
     alignas(64) Row square;     ///< |N|^2
     alignas(64) Row p, q, far;  ///< coordinates of the node in (A, B, C), largest |P - o|
     alignas(64) Row certain;    ///< 1: this sub-triangle, contact; -1: nothing; 0: not known from this alone
-    alignas(
-        64) Row rejected;  ///< 1: a weight is surely below its limit, where `core` says foreseen (< 4); 0: not known
+    alignas(64) Row rejected;   ///< 1: a weight is surely below its limit, in a foreseen sub-triangle; 0: not known
 };
 
 /// What holds for all nodes of a tool.

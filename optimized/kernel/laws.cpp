@@ -61,6 +61,12 @@ Laws::Laws(const Scene& scene, int interface)
     }
 }
 
+double Laws::friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const {
+    const double area = card->secondary.area[static_cast<size_t>(rank)];
+    const double pressure = area > 0 ? normal_force / area : 0.0;
+    return friction_law.coefficient(friction_table.at(rank, segment), pressure, speed, factor);
+}
+
 Workspace::Workspace() : batch(std::make_unique<Search::Batch>()), forces(std::make_unique<ForceRows>()) {}
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace::~Workspace() = default;

@@ -53,6 +53,8 @@ struct Laws {
     bool as_built(Departure d) const { return model->as_built.has(d); }
     unsigned effects() const { return effects_; }
     bool has(unsigned one) const { return (effects_ & one) != 0; }
+    /// mu of a node on a segment, of the law of the card or of the pair of parts. @param factor  f_IDF [-]
+    double friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const;
     /// The sums that lanes_kernel fills; without friction the others are copies of these or zero.
     std::span<const Term> terms() const { return terms_; }
 

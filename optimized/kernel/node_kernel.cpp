@@ -87,10 +87,8 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
                 0.5 * (blank + (laws.d08 ? double(card.tint) : tool_temperature(laws, out.decision, cycle.motion)));
             factor = (*laws.friction_of_temperature)(laws.d08 ? mean : card.ascalef * mean);
         }
-        const double pressure = area > 0 ? out.normal_force / area : 0.0;
         const double speed = norm(velocity - nu * dot(velocity, nu));
-        mu = laws.friction_law.coefficient(laws.friction_table.at(static_cast<int>(i), out.decision.segment), pressure,
-                                           speed, factor);
+        mu = laws.friction_coefficient(static_cast<int>(i), out.decision.segment, out.normal_force, speed, factor);
     }
     double limit = mu * std::abs(out.normal_force);
     if (on<Effects>(laws, effect::pmax) && card.itlim == 0) limit = std::min(limit, area * card.pmax / std::sqrt(3.0));

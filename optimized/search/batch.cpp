@@ -40,7 +40,7 @@ void Search::find(Batch& batch, const Rules& rules) const {
     for (int i = 0; i < batch.count; ++i) {
         const Memory* memory = batch.memory[i];
         if (memory == nullptr) continue;
-        const bool within = memory->within({batch.y[0][i], batch.y[1][i], batch.y[2][i]});
+        const bool within = memory->within(batch.point(i));
         if (within && memory->radius > 0) {
             batch.path[i] = Path::quiet;
             ++batch.tally.quiet;
@@ -153,18 +153,15 @@ LandingLimits Search::landing_limits(double depth, double proximity) const {
     return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
 }
 
-void Search::ask_at(LandingRows& rows, int column, int place, const Batch& batch, int i) const {
+void Search::ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const {
     for (int a = 0; a < 3; ++a)
-        rows.y[a][column] = batch.y[a][i];
-    rows.gap[column] = batch.gap[i];
+        rows.y[a][column] = y[a];
+    rows.gap[column] = gap;
     rows.core[column] = foreseen(place) ? taking : double(beyond_foreseen);
 }
 
 void Search::land_one(const V3& y, const Window& window, int place, LandingRows& rows) const {
-    for (int a = 0; a < 3; ++a)
-        rows.y[a][0] = y[a];
-    rows.gap[0] = window.gap;
-    rows.core[0] = foreseen(place) ? taking : double(beyond_foreseen);
+    ask_at(rows, 0, place, y, window.gap);
     gather(rows, tool_, &place, 1, growth_);
     plain_landing(rows, 1, landing_limits(window.depth, window.proximity));
 }

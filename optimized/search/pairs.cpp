@@ -61,7 +61,7 @@ bool Search::over_corner(Batch& batch, int at, int i) const {
     const int own = batch.memory[at]->place;
     const unsigned leads = leads_[static_cast<size_t>(own)].load(std::memory_order_relaxed);
     if ((leads >> corner & 1U) == 0 || standing(rows, i, batch.depth, own) != Standing::taken) return false;
-    const V3 y{batch.y[0][at], batch.y[1][at], batch.y[2][at]};
+    const V3 y = batch.point(at);
     if (!above_corner(y, tool_.segment(segment_of(own)), piece_of(own), corner)) return false;
     batch.place[at] = own;
     batch.settled[at] = Settled::tie;
@@ -80,7 +80,7 @@ bool Search::pair_up(Batch& batch, int at, int i) const {
     if (!(along >= double(pair) + plain_share) || standing(rows, i, batch.depth, own) != Standing::taken) return false;
     const int other = partner(own, side);
     if (other < 0) return false;
-    ask_at(batch.partners, batch.pair_count, other, batch, at);
+    ask_at(batch.partners, batch.pair_count, other, batch.point(at), batch.gap[at]);
     batch.pairs[batch.pair_count++] = {
         at, own, other, side, kappa_of(rows.b[i], rows.c[i]), along - double(pair) - plain_share};
     return true;
@@ -88,7 +88,7 @@ bool Search::pair_up(Batch& batch, int at, int i) const {
 
 bool Search::over_shared_side(const Batch& batch, const Batch::Pair& pair) const {
     const int i = pair.column;
-    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const V3 y = batch.point(i);
     return over_side(y, tool_.segment(segment_of(pair.own)), piece_of(pair.own), pair.side);
 }
 
@@ -140,7 +140,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
             const Batch::Pair& pair = batch.close[first + j];
             for (const int which : {0, 1}) {
                 place[2 * j + which] = which == 0 ? pair.own : pair.other;
-                ask_at(rows, 2 * j + which, place[2 * j + which], batch, pair.column);
+                ask_at(rows, 2 * j + which, place[2 * j + which], batch.point(pair.column), batch.gap[pair.column]);
             }
         }
         gather(rows, tool_, place, 2 * count, growth_);
@@ -154,7 +154,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
                 batch.place[pair.column] = pair.own;
             } else if (apart < -3 * fine_kappa_share) {
                 LandingRows& landed = batch.partners;
-                ask_at(landed, 0, pair.other, batch, pair.column);
+                ask_at(landed, 0, pair.other, batch.point(pair.column), batch.gap[pair.column]);
                 gather(landed, tool_, &pair.other, 1, growth_);
                 plain_landing(landed, 1, landing_limits(batch.depth, batch.proximity));
                 take(batch, pair.column, pair.other, landed, 0);
@@ -172,7 +172,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
 /// Only these two can take the node: the exact way of telling them apart.
 Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const {
     const int i = pair.column;
-    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const V3 y = batch.point(i);
     const Window window{batch.gap[i], batch.depth, batch.proximity};
     Decider decider(y, window, rules);
     for (const int place : {pair.own, pair.other}) {

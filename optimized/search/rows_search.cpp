@@ -38,7 +38,7 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
 
 /// One of these is retained, all of which take the node: a tie, or what it takes.
 Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
-    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const V3 y = batch.point(i);
     const Window window{batch.gap[i], batch.depth, batch.proximity};
     Contender* const contenders = batch.contenders;
     SegmentData* const segments = batch.segments;
@@ -141,16 +141,16 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
 /// prisms are asked
 void Search::keep_quiet(const Batch& batch, int i, double radius) const {
     Memory& memory = *batch.memory[i];
-    memory.from = {batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    memory.from = batch.point(i);
     if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(memory.from, memory);
-    memory.radius = std::nextafter(static_cast<float>(radius), 0.0F);
+    memory.radius = shortened(radius);
 }
 
 void Search::keep_steady(const Batch& batch, int i, int place, double radius) const {
     Memory& memory = *batch.memory[i];
     memory.place = place;
-    memory.from = {batch.y[0][i], batch.y[1][i], batch.y[2][i]};
-    memory.radius = radius > 0 ? -std::nextafter(static_cast<float>(radius), 0.0F) : 0.0F;
+    memory.from = batch.point(i);
+    memory.radius = -shortened(radius);
 }
 
 void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers) const {
@@ -161,7 +161,7 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
     for (int c = 0; c < count; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
         place[c] = one.place;
-        ask_at(batch.rows, c, one.place, batch, one.column);
+        ask_at(batch.rows, c, one.place, batch.point(one.column), batch.gap[one.column]);
     }
     gather(batch.rows, tool_, place, count, growth_);
     plain_landing(batch.rows, count, landing_limits(batch.depth, batch.proximity));
@@ -176,7 +176,7 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
 }
 
 void Search::ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const {
-    const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+    const V3 y = batch.point(i);
     const Window window{batch.gap[i], batch.depth, batch.proximity};
     put(batch, i, remembers ? find(y, window, rules, *batch.memory[i]) : Found{search(y, window, rules)});
 }
@@ -187,7 +187,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
     const double around = remembers ? usual_ball_ : 0;
     for (int j = 0; j < count; ++j) {
         const int i = open[j];
-        const V3 y{batch.y[0][i], batch.y[1][i], batch.y[2][i]};
+        const V3 y = batch.point(i);
         Near near[most_segments];
         int segments = 0;
         if (plain)

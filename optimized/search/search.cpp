@@ -115,7 +115,7 @@ void Search::use_plain_magnitudes(const V3& y, const Window& window, Retained& r
 void Search::keep_quiet(const V3& y, Memory& memory) const {
     const double clear = clearance(y);
     memory.from = y;
-    memory.radius = clear > 0 ? std::nextafter(static_cast<float>(clear), 0.0F) : 0.0F;
+    memory.radius = shortened(clear);
 }
 
 bool Search::certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {

@@ -33,6 +33,11 @@ struct Memory {
     void forget() { radius = 0; }
 };
 
+/// A radius as a float that is no longer; 0 where there is none.
+inline float shortened(double radius) {
+    return radius > 0 ? std::nextafter(static_cast<float>(radius), 0.0F) : 0.0F;
+}
+
 /// How a node's decision came about.
 enum class Path {
     certified,  ///< the sub-triangle of the last cycle, and no other can take the node there
@@ -68,9 +73,6 @@ struct ReachBoxRule {
     double proximity = 0;  ///< [length]
     bool holds(const V3& y, const SegmentData& segment, const Window& window) const;
 };
-
-/// Added to m(T) where T is not foreseen.
-constexpr float beyond_foreseen = 4;
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
 ///
@@ -126,6 +128,7 @@ class Search {
         PathTally tally;  ///< of this batch
 
         Retained retained(int i) const;
+        V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
 
         // Where it works: a part of the nodes, and pairs of all of them.
         struct Pair {
@@ -200,8 +203,8 @@ class Search {
     void keep_steady(const Batch& batch, int i, int place, double radius) const;
     void ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const;
     LandingLimits landing_limits(double depth, double proximity) const;
-    /// Where node i of the batch is, and whether the bounds of the place are foreseen.
-    void ask_at(LandingRows& rows, int column, int place, const Batch& batch, int i) const;
+    /// Where a node is, and whether the place is foreseen.
+    void ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const;
     void land_one(const V3& y, const Window& window, int place, LandingRows& rows) const;
     void use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const;
     /// These nodes of the batch, where they were last. @param open  filled with those that are left

@@ -3,7 +3,6 @@
 #include <memory>
 #include <tbb/task_arena.h>
 
-#include "optimized/decide/foreseen_bounds.h"
 #include "optimized/decide/plain_landing.h"
 #include "verification/bench/bare_step.h"
 #include "verification/bench/bench.h"
@@ -18,24 +17,19 @@ using optimized::LandingRows;
 /// The projections of as many nodes, on the segment and place of each, all of them in a core.
 std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
     std::vector<LandingRows> blocks(std::max<size_t>(count / LandingRows::room, 1));
-    const optimized::Tool& tool = bare.laws().tool;
     const optimized::Limits& limits = bare.search().limits();
-    for (size_t i = 0; i < blocks.size() * LandingRows::room; ++i) {
-        const size_t n = std::min(i, bare.place().size() - 1);
-        const int place = std::max(bare.memory()[n].place, 0), s = optimized::segment_of(place);
-        LandingRows& rows = blocks[i / LandingRows::room];
-        const size_t column = i % LandingRows::room;
-        for (int a = 0; a < 3; ++a) {
-            rows.y[a][column] = bare.place()[n][a];
-            for (int j = 0; j < 4; ++j) {
-                rows.corner[j][a][column] = tool.node(s, j)[a];
-                rows.normal[j][a][column] = tool.normal(s, j)[a];
-            }
+    size_t i = 0;
+    for (LandingRows& rows : blocks) {
+        std::array<int, LandingRows::room> place;
+        for (size_t column = 0; column < place.size(); ++column, ++i) {
+            const size_t n = std::min(i, bare.place().size() - 1);
+            place[column] = std::max(bare.memory()[n].place, 0);
+            for (int a = 0; a < 3; ++a)
+                rows.y[a][column] = bare.place()[n][a];
+            rows.core[column] = 0;
+            rows.gap[column] = bare.window(n).gap;
         }
-        rows.code[column] = tool.is_triangle(s) ? 4 : (place & 3);
-        rows.core[column] = 0;
-        rows.size[column] = optimized::foreseen_size(tool.extent(s), std::max(limits.outward, limits.inward));
-        rows.gap[column] = bare.window(n).gap;
+        gather(rows, bare.laws().tool, place.data(), LandingRows::room, std::max(limits.outward, limits.inward));
     }
     return blocks;
 }
