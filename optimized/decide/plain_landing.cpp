@@ -187,30 +187,30 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
 }
 
 template <int W>
-TYPE21_INLINE void land_all(LandingRows& rows, int count, const LandingLimits& limits) {
-    for (int at = 0; at < count; at += W)
+TYPE21_INLINE void land_all(LandingRows& rows, int first, int last, const LandingLimits& limits) {
+    for (int at = first; at < last; at += W)
         land<W>(rows, at, limits);
 }
 
-TYPE21_AVX512 void land_eight(LandingRows& rows, int count, const LandingLimits& limits) {
-    land_all<8>(rows, count, limits);
+TYPE21_AVX512 void land_eight(LandingRows& rows, int first, int last, const LandingLimits& limits) {
+    land_all<8>(rows, first, last, limits);
 }
-TYPE21_AVX2 void land_four(LandingRows& rows, int count, const LandingLimits& limits) {
-    land_all<4>(rows, count, limits);
+TYPE21_AVX2 void land_four(LandingRows& rows, int first, int last, const LandingLimits& limits) {
+    land_all<4>(rows, first, last, limits);
 }
-void land_two(LandingRows& rows, int count, const LandingLimits& limits) {
-    land_all<2>(rows, count, limits);
+void land_two(LandingRows& rows, int first, int last, const LandingLimits& limits) {
+    land_all<2>(rows, first, last, limits);
 }
 
 }  // namespace
 
-void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Machine machine) {
+void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits, Machine machine) {
     if (machine == Machine::eight) {
-        land_eight(rows, count, limits);
+        land_eight(rows, first, last, limits);
     } else if (machine == Machine::four) {
-        land_four(rows, count, limits);
+        land_four(rows, first, last, limits);
     } else {
-        land_two(rows, count, limits);
+        land_two(rows, first, last, limits);
     }
 }
 

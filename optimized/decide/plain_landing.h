@@ -47,8 +47,9 @@ struct LandingLimits {
 
 /// Fills what is found. `certain` is not 0 where the node is one for which bounds were foreseen (foreseen_bounds.h), it
 /// lies in the core, lands where it is surely taken, off the plane and away from its reach by more than rounding.
-/// @param count  columns; up to the next multiple of eight are computed
-void plain_landing(LandingRows& rows, int count, const LandingLimits& limits, Machine machine = this_machine());
+/// @param first, last  columns, first a multiple of eight; those up to the next one behind the last are computed too
+void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits,
+                   Machine machine = this_machine());
 
 /// Step 6.
 inline double kappa_of(double b, double c) {

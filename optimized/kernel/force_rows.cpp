@@ -22,8 +22,7 @@ TYPE21_INLINE void negative(const L& v, WholeLanes<L>& mask) {
 }
 
 template <unsigned Effects, int W>
-TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int j,
-                       TermBlock& block, int column) {
+TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& f, int j, TermBlock& block) {
     using L = Lanes<W>;
     using I = WholeLanes<L>;
     using V = VectorLanes<L>;
@@ -34,7 +33,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_n
     load(f.gap + j, gap);
     load(f.stiffness + j, k);
     load(f.offset + j, offset);
-    const int i = first_node + j;
+    const int i = f.at + j;
     load(at.lift + i, lift);
     const L zero = (L)(contact ^ contact);
 
@@ -150,7 +149,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_n
             store(mu, f.sliding + j);
             store(normal_force, f.normal_force + j);
             store(closed, f.closed + j);
-            coefficients_in_rows(c, at, first_node, f, j, W);
+            coefficients_in_rows(c, at, f, j, W);
             load(f.mu + j, mu);
             limit *= mu;
         } else {
@@ -186,25 +185,26 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_n
     force.z = zero - total.z;
 
     store(closed, f.closed + j);
-    store(distance, f.distance + j);
-    store(nu, f.normal[0] + j, f.normal[1] + j, f.normal[2] + j);
-    store(point, f.point[0] + j, f.point[1] + j, f.point[2] + j);
-    store(deep, f.deep + j);
     store(offset, f.offset + j);
-    store(p, f.penetration + j);
-    store(acting, f.acting + j);
-    store(damping, f.damping + j);
-    store(elastic, f.elastic + j);
-    store(energy, f.energy + j);
-    store(normal_force, f.normal_force + j);
-    store(v, f.velocity[0] + j, f.velocity[1] + j, f.velocity[2] + j);
     store(force, f.force[0] + j, f.force[1] + j, f.force[2] + j);
     store(step_stiffness, f.step_stiffness + j);
+    if (f.told) {
+        store(distance, f.distance + j);
+        store(nu, f.normal[0] + j, f.normal[1] + j, f.normal[2] + j);
+        store(point, f.point[0] + j, f.point[1] + j, f.point[2] + j);
+        store(deep, f.deep + j);
+        store(p, f.penetration + j);
+        store(acting, f.acting + j);
+        store(damping, f.damping + j);
+        store(elastic, f.elastic + j);
+        store(energy, f.energy + j);
+        store(normal_force, f.normal_force + j);
+        store(v, f.velocity[0] + j, f.velocity[1] + j, f.velocity[2] + j);
+    }
 
     // The terms of the sums.
-    column += j;
     const auto put = [&](Term term, const L& value) __attribute__((always_inline)) {
-        store((L)((I)value & closed), block.row(term) + column);
+        store((L)((I)value & closed), block.row(term) + j);
     };
     const auto put_vector = [&](Term term, const V& value) __attribute__((always_inline)) {
         const int t = static_cast<int>(term);
@@ -244,26 +244,23 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, int first_n
 }
 
 template <unsigned Effects, int W>
-TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
-                           TermBlock& block, int column) {
-    for (int j = 0; j < count; j += W)
-        act<Effects, W>(c, at, first_node, f, j, block, column);
+TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
+    for (int j = 0; j < f.count; j += W)
+        act<Effects, W>(c, at, f, j, block);
+    block.resize(whole_registers(f.count));
 }
 
 template <unsigned Effects>
-TYPE21_AVX512 void act_eight(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
-                             TermBlock& block, int column) {
-    act_all<Effects, 8>(c, at, first_node, f, count, block, column);
+TYPE21_AVX512 void act_eight(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
+    act_all<Effects, 8>(c, at, f, block);
 }
 template <unsigned Effects>
-TYPE21_AVX2 void act_four(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count,
-                          TermBlock& block, int column) {
-    act_all<Effects, 4>(c, at, first_node, f, count, block, column);
+TYPE21_AVX2 void act_four(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
+    act_all<Effects, 4>(c, at, f, block);
 }
 template <unsigned Effects>
-void act_two(const ForceCycle& c, const Search::Batch& at, int first_node, ForceRows& f, int count, TermBlock& block,
-             int column) {
-    act_all<Effects, 2>(c, at, first_node, f, count, block, column);
+void act_two(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
+    act_all<Effects, 2>(c, at, f, block);
 }
 
 template <unsigned Effects>

@@ -1,28 +1,33 @@
 /// @file Normal force and friction of many nodes at once.
 #pragma once
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 #include <vector>
 
+#include "optimized/kernel/columns.h"
 #include "optimized/kernel/node_data.h"
 #include "optimized/lanes.h"
 
 namespace type21::optimized {
 
-/// Up to `room` nodes: a row a number, a column a node. Global axes.
+/// Nodes of a part of a batch: a row a number, a column a node. Global axes.
 struct ForceRows {
-    static constexpr int room = LandingRows::room;
+    static constexpr int room = Search::Batch::part;
     using Row = double[room];
 
-    int rank = 0;  ///< of the node in the first column
+    int rank = 0;      ///< of the node in the first column
+    int at = 0;        ///< its place in the batch
+    int count = 0;     ///< columns
+    bool told = true;  ///< all is found; else nothing but closed, offset, friction, force and step_stiffness
     // Asked. Masks are all ones or all zeros.
     alignas(64) long long contact[room];  ///< retained, and contact
     alignas(64) long long first[room];    ///< this is the first cycle of an impact
-    alignas(64) Row gap;                  ///< g [length]
-    alignas(64) Row stiffness;            ///< k [force/length]
-    alignas(64) Row increment;            ///< k of the friction increment [force/length]
-    alignas(64) Row mass;                 ///< [mass]
-    alignas(64) Row offset;               ///< P0; of the new cycle when found [length]
+    const double* gap;                    ///< g [length]
+    const double* stiffness;              ///< k [force/length]
+    const double* increment;              ///< k of the friction increment [force/length]
+    const double* mass;                   ///< [mass]
+    double* offset;                       ///< P0; of the new cycle when found [length]
     alignas(64) Row velocity[3];          ///< of the node; relative to the tool when found [velocity]
     alignas(64) Row friction[3];          ///< F_t; of the new cycle when found [force]
     alignas(64) Row growth;               ///< max(g - g0, 0), Pmax only [length]
@@ -45,6 +50,17 @@ struct ForceRows {
     alignas(64) Row mu;                  ///< friction laws only [-]
     alignas(64) Row force[3];            ///< on the node; 0 where it is not closed [force]
     alignas(64) Row step_stiffness;      ///< k + C/dt1; 0 where it is not closed [force/length]
+
+    /// Asks for the nodes from `start` on, which stand in the batch from `first_in_batch` on. What nodes hold is read,
+    /// and the offset written, where it stands; of a part of a register in a copy.
+    /// @return false where none of them is in contact; then nothing else is filled
+    bool ask(NodeData& nodes, int start, const Search::Batch& batch, int first_in_batch, std::span<const Vec3> speeds,
+             bool damped, bool rubbing);
+    /// What the nodes remember of the forces that were found, or of none.
+    void remember(NodeData& nodes, bool acts) const;
+
+  private:
+    Row copy[5];
 };
 
 /// Columns are computed by whole registers.
@@ -54,13 +70,7 @@ inline int whole_registers(int count) {
 
 /// Some numbers of nodes into a row.
 inline void fetch(const std::vector<double>& from, int first, int count, double* to) {
-    std::memcpy(to, from.data() + first, static_cast<size_t>(count) * sizeof(double));
-}
-/// A vector into a column of three rows.
-template <class Vector, size_t room>
-void fetch(const Vector& from, double (*to)[room], int j) {
-    for (int a = 0; a < 3; ++a)
-        to[a][j] = from[a];
+    std::copy_n(from.data() + first, count, to);
 }
 
 /// What holds for all nodes of a cycle.
@@ -79,17 +89,14 @@ struct ForceCycle {
     bool inacti6;
 };
 
-/// Sections 5 to 8 of the formulation at t > 0 for the nodes of a batch from `first` on, which have their places.
-/// Writes the terms of the sums from `column` of the block on, zeros where a node is not closed.
-using Forces = void (*)(const ForceCycle&, const Search::Batch&, int first, ForceRows&, int count, TermBlock&,
-                        int column);
+/// Sections 5 to 8 of the formulation at t > 0 for nodes of a batch, which have their places. Fills the block with the
+/// terms of the sums, zeros where a node is not closed.
+using Forces = void (*)(const ForceCycle&, const Search::Batch&, ForceRows&, TermBlock&);
 /// @param effects  of damping, friction, law and pmax
 Forces forces_for(unsigned effects, Machine machine = this_machine());
 
-/// mu of some columns whose closed, normal_force and sliding stand in the rows. @param first  node of the batch in the
-/// first column
-void coefficients_in_rows(const ForceCycle& cycle, const Search::Batch& batch, int first, ForceRows& rows, int column,
-                          int count);
+/// mu of some columns whose closed, normal_force and sliding stand in the rows.
+void coefficients_in_rows(const ForceCycle& cycle, const Search::Batch& batch, ForceRows& rows, int column, int count);
 
 /// y = R^T (x - x_G) of the nodes of a batch, which has x in its place; the operations and their order are part of the
 /// position that decisions are exact for.

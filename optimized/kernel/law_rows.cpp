@@ -3,14 +3,13 @@
 
 namespace type21::optimized {
 
-void coefficients_in_rows(const ForceCycle& c, const Search::Batch& at, int first, ForceRows& f, int column,
-                          int count) {
+void coefficients_in_rows(const ForceCycle& c, const Search::Batch& at, ForceRows& f, int column, int count) {
     const Laws& laws = *c.laws;
     for (int j = column; j < column + count; ++j) {
         f.mu[j] = 0;
         if (f.closed[j] == 0) continue;
-        f.mu[j] = laws.friction_coefficient(f.rank + j, segment_of(at.place[first + j]), f.normal_force[j],
-                                            f.sliding[j], 1.0);
+        f.mu[j] =
+            laws.friction_coefficient(f.rank + j, segment_of(at.place[f.at + j]), f.normal_force[j], f.sliding[j], 1.0);
     }
 }
 

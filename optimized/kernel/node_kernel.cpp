@@ -226,11 +226,12 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
         // Where nodes are and what they touch (sections 1, 3, 4). The transform is written as the formulation has it:
         // its rounding is part of the position that decisions are exact for.
         batch.count = std::min(Search::Batch::room, last - start);
+        batch.memory = nodes.memory.data() + start;
         Ask why[Search::Batch::room];
         for (int j = 0; j < batch.count; ++j) {
             const auto i = static_cast<size_t>(start + j);
             why[j] = ask<Effects>(laws, cycle, nodes, i);
-            batch.memory[j] = why[j] == Ask::yes ? &nodes.memory[i] : nullptr;
+            batch.asked[j] = why[j] == Ask::yes;
             const Vec3& position = motion.position[static_cast<size_t>(nodes.node[i])];
             const Vec3 at = cycle.pose.rotation.transpose() * (position - cycle.pose.position);
             for (int a = 0; a < 3; ++a)

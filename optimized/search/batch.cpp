@@ -30,64 +30,77 @@ Retained Search::Batch::retained(int i) const {
 }
 
 void Search::find(Batch& batch, const Rules& rules) const {
-    int looking[Batch::room], open[Batch::room], look = 0, left = 0;
+    int last[Batch::part], open[Batch::room], left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
     std::fill_n(batch.path, batch.count, Path::certified);
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
     std::fill_n(batch.place, batch.count, -1);
-    for (int i = 0; i < batch.count; ++i) {
-        const Memory* memory = batch.memory[i];
-        if (memory == nullptr) continue;
-        const bool within = memory->within(batch.point(i));
-        if (within && memory->radius > 0) {
-            batch.path[i] = Path::quiet;
-            ++batch.tally.quiet;
-        } else if (memory->place >= 0 && !(memory->radius > 0) &&
-                   (within || batch.cores || -double(memory->radius) < small_ball_)) {
-            tool_.prefetch_segment(segment_of(memory->place));
-            if (within) batch.path[i] = Path::steady;
-            looking[look++] = i;
-        } else {
-            open[left++] = i;
-        }
+    for (int first = 0; first < batch.count; first += Batch::part) {
+        left += recall(batch, first, last, open + left);
+        left += look_again(batch, first, last, rules, open + left);
     }
-    for (int first = 0; first < look; first += LandingRows::room)
-        left += look_again(batch, looking + first, std::min(LandingRows::room, look - first), rules, open + left);
     // Those that no core holds: near a side they are asked of two, and only then of all.
     decide_pairs(batch, rules);
     decide_close(batch, rules);
     ask_rows(batch, open, left, rules, true);
 }
 
-/// Into the rows of a part, and what is found from there.
-void Search::land_again(Batch& batch, const int* nodes, int count) const {
+int Search::recall(Batch& batch, int first, int* last, int* open) const {
+    const int count = std::min(Batch::part, batch.count - first);
+    const Memory* const memory = batch.memory + first;
+    long long within[Batch::part];
+    within_balls(memory, {batch.y[0] + first, batch.y[1] + first, batch.y[2] + first}, count, within);
+    int left = 0;
+    long quiet = 0;
+    for (int j = 0; j < count; ++j) {
+        last[j] = -1;
+        if (!batch.asked[first + j]) continue;
+        const float radius = memory[j].radius;
+        const bool steady = within[j] != 0 && radius < 0;
+        if (within[j] != 0 && radius > 0) {
+            batch.path[first + j] = Path::quiet;
+            ++quiet;
+        } else if (memory[j].place >= 0 && !(radius > 0) && (steady || batch.cores || -double(radius) < small_ball_)) {
+            tool_.prefetch_segment(segment_of(memory[j].place));
+            if (steady) batch.path[first + j] = Path::steady;
+            last[j] = memory[j].place;
+        } else {
+            open[left++] = first + j;
+        }
+    }
+    batch.tally.quiet += quiet;
+    return left;
+}
+
+int Search::look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const {
     LandingRows& rows = batch.rows;
-    // Mostly the nodes of a part follow each other; whole rows are copied faster than shorter ones, and what is behind
-    // them is not there yet.
-    const int first = nodes[0];
-    const bool row = nodes[count - 1] - first == count - 1 && first + LandingRows::room <= Batch::room;
-    const auto in = [&](const double* from, double* to) {
-        if (row) {
-            std::memcpy(to, from + first, sizeof(LandingRows::Row));
-        } else {
-            for (int c = 0; c < count; ++c)
-                to[c] = from[nodes[c]];
-        }
-    };
-    const auto out = [&](const double* from, double* to) {
-        if (row) {
-            std::memcpy(to + first, from, sizeof(LandingRows::Row));
-        } else {
-            for (int c = 0; c < count; ++c)
-                to[nodes[c]] = from[c];
-        }
-    };
+    const int count = std::min(Batch::part, batch.count - first);
+    int any = -1;
+    for (int c = 0; c < count; ++c) {
+        if (last[c] < 0) continue;
+        any = last[c];
+        tool_.prefetch_corners(segment_of(last[c]));
+        rows.core[c] = batch.path[first + c] == Path::steady ? taking : double(core(last[c]));
+    }
+    if (any < 0) return 0;
+    // Whole rows are copied faster than parts of them, and what is behind the nodes is nobody's.
+    const auto in = [&](const double* from, double* to) { std::memcpy(to, from + first, sizeof(LandingRows::Row)); };
+    const auto out = [&](const double* from, double* to) { std::memcpy(to + first, from, sizeof(LandingRows::Row)); };
     for (int a = 0; a < 3; ++a)
         in(batch.y[a], rows.y[a]);
     in(batch.gap, rows.gap);
-    plain_landing(rows, count, landing_limits(batch.depth, batch.proximity));
+    // Nodes that do not look stand anywhere; what they get is not asked.
+    constexpr int group = Ahead::group;
+    for (int c = 0; c < count; c += group) {
+        if (batch.ahead != nullptr) batch.ahead->ask(batch.first + first + c);
+        int place[group];
+        for (int i = 0; i < group; ++i)
+            place[i] = c + i < count && last[c + i] >= 0 ? last[c + i] : any;
+        gather(rows, tool_, place, c, group, growth_);
+    }
+    plain_landing(rows, 0, count, landing_limits(batch.depth, batch.proximity));
     out(rows.b, batch.b);
     out(rows.c, batch.c);
     out(rows.lift, batch.lift);
@@ -95,27 +108,14 @@ void Search::land_again(Batch& batch, const int* nodes, int count) const {
         out(rows.n[a], batch.n[a]);
         out(rows.x[a], batch.x[a]);
     }
-}
-
-int Search::look_again(Batch& batch, const int* nodes, int count, const Rules& rules, int* open) const {
-    LandingRows& rows = batch.rows;
-    int place[LandingRows::room];
-    bool steady[LandingRows::room];
-    for (int c = 0; c < count; ++c) {
-        const int i = nodes[c];
-        place[c] = batch.memory[i]->place;
-        steady[c] = batch.path[i] == Path::steady;
-        rows.core[c] = steady[c] ? taking : double(core(place[c]));
-    }
-    gather(rows, tool_, place, count, growth_);
-    land_again(batch, nodes, count);
     int left = 0, kept = 0, alone = 0;
     for (int c = 0; c < count; ++c) {
-        const int i = nodes[c];
+        if (last[c] < 0) continue;
+        const int i = first + c;
         const double certain = rows.certain[c];
         batch.side[i] = rows.lift[c] > 0 ? 1 : -1;
-        if (certain > 0) batch.place[i] = place[c];
-        if (steady[c]) {
+        if (certain > 0) batch.place[i] = last[c];
+        if (batch.path[i] == Path::steady) {
             kept += certain > 0;
             // A ball tells who is retained, not that nothing is.
             if (!(certain > 0)) open[left++] = i;
@@ -124,7 +124,7 @@ int Search::look_again(Batch& batch, const int* nodes, int count, const Rules& r
         alone += certain != 0;
         if (certain != 0) continue;
         if (!over_corner(batch, i, c) && !pair_up(batch, i, c)) open[left++] = i;
-        if (batch.pair_count == LandingRows::room) decide_pairs(batch, rules);
+        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
     }
     batch.tally.steady += kept;
     batch.tally.certified += alone;
@@ -142,7 +142,8 @@ void Search::find(const Asked* asked, int count, const Rules& rules, Found* foun
         batch->y[1][0] = asked[i].y.y;
         batch->y[2][0] = asked[i].y.z;
         batch->gap[0] = asked[i].window.gap;
-        batch->memory[0] = asked[i].memory;
+        batch->memory = asked[i].memory;
+        batch->asked[0] = asked[i].memory != nullptr;
         find(*batch, rules);
         found[i] = {batch->retained(0), batch->path[0]};
     }
@@ -162,14 +163,14 @@ void Search::ask_at(LandingRows& rows, int column, int place, const V3& y, doubl
 
 void Search::land_one(const V3& y, const Window& window, int place, LandingRows& rows) const {
     ask_at(rows, 0, place, y, window.gap);
-    gather(rows, tool_, &place, 1, growth_);
-    plain_landing(rows, 1, landing_limits(window.depth, window.proximity));
+    gather(rows, tool_, &place, 0, 1, growth_);
+    plain_landing(rows, 0, 1, landing_limits(window.depth, window.proximity));
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
-    if (Memory* memory = batch.memory[i]) {
-        memory->place = place;
-        memory->forget();
+    if (batch.memory != nullptr) {
+        batch.memory[i].place = place;
+        batch.memory[i].forget();
     }
     batch.place[i] = place;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;

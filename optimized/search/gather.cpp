@@ -67,15 +67,18 @@ TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, 
 
 }  // namespace
 
-void gather(LandingRows& rows, const Tool& tool, const int* place, int count, double growth, Machine machine) {
+void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
+            Machine machine) {
     const auto gather_group = machine == Machine::two ? gather_one_by_one : gather_four;
-    for (int c = 0; c < count; ++c)
-        tool.prefetch_corners(segment_of(place[c]));
-    for (int at = 0; at < count; at += group) {
+    if (count > group)
+        for (int c = 0; c < count; ++c)
+            tool.prefetch_corners(segment_of(place[c]));
+    for (int c = 0; c < count; c += group) {
         Segments segment;
+        const int at = first + c;
         for (int i = 0; i < group; ++i) {
             // Beyond the last one stands the last one.
-            const int one = place[std::min(at + i, count - 1)], s = segment_of(one);
+            const int one = place[std::min(c + i, count - 1)], s = segment_of(one);
             segment[static_cast<size_t>(i)] = s;
             rows.code[at + i] = tool.is_triangle(s) ? 4 : one & 3;
             rows.size[at + i] = foreseen_size(tool.extent(s), growth);

@@ -17,9 +17,9 @@ inline int piece_of(int place) {
     return (place & 3) + 1;
 }
 
-/// Fills corner, normal, code and size of as many columns.
-/// @param growth  of foreseen_size [length]
-void gather(LandingRows& rows, const Tool& tool, const int* place, int count, double growth,
+/// Fills corner, normal, code and size of `count` columns from `first` on, a multiple of four, and may fill those up to
+/// the next one. @param growth  of foreseen_size [length]
+void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
             Machine machine = this_machine());
 
 }  // namespace type21::optimized

@@ -58,7 +58,7 @@ bool Search::over_corner(Batch& batch, int at, int i) const {
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int corner = w[0] > w[1] ? (w[0] > w[2] ? 0 : 2) : (w[1] > w[2] ? 1 : 2);
     if (!(w[corner] >= 1 - plain_share)) return false;
-    const int own = batch.memory[at]->place;
+    const int own = batch.memory[at].place;
     const unsigned leads = leads_[static_cast<size_t>(own)].load(std::memory_order_relaxed);
     if ((leads >> corner & 1U) == 0 || standing(rows, i, batch.depth, own) != Standing::taken) return false;
     const V3 y = batch.point(at);
@@ -72,7 +72,7 @@ bool Search::over_corner(Batch& batch, int at, int i) const {
 bool Search::pair_up(Batch& batch, int at, int i) const {
     const LandingRows& rows = batch.rows;
     if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
-    const int own = batch.memory[at]->place;
+    const int own = batch.memory[at].place;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
     const int side = w[0] < w[1] ? (w[0] < w[2] ? 0 : 2) : (w[1] < w[2] ? 1 : 2);
     const double along = std::min(w[(side + 1) % 3], w[(side + 2) % 3]);
@@ -101,8 +101,8 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
     int others[LandingRows::room];
     for (int j = 0; j < count; ++j)
         others[j] = batch.pairs[j].other;
-    gather(batch.partners, tool_, others, count, growth_);
-    plain_landing(batch.partners, count, landing_limits(batch.depth, batch.proximity));
+    gather(batch.partners, tool_, others, 0, count, growth_);
+    plain_landing(batch.partners, 0, count, landing_limits(batch.depth, batch.proximity));
     for (int j = 0; j < count; ++j) {
         const Batch::Pair& pair = batch.pairs[j];
         batch.path[pair.column] = Path::paired;
@@ -130,7 +130,7 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
 }
 
 void Search::decide_close(Batch& batch, const Rules& rules) const {
-    LandingRows& rows = batch.rows;
+    LandingRows& rows = batch.others;
     FineKappaRows& fine = batch.fine;
     constexpr int part = LandingRows::room / 2;
     for (int first = 0; first < batch.close_count; first += part) {
@@ -143,7 +143,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
                 ask_at(rows, 2 * j + which, place[2 * j + which], batch.point(pair.column), batch.gap[pair.column]);
             }
         }
-        gather(rows, tool_, place, 2 * count, growth_);
+        gather(rows, tool_, place, 0, 2 * count, growth_);
         fine_landing(rows, 2 * count, fine);
         for (int j = 0; j < count; ++j) {
             const Batch::Pair& pair = batch.close[first + j];
@@ -155,8 +155,8 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
             } else if (apart < -3 * fine_kappa_share) {
                 LandingRows& landed = batch.partners;
                 ask_at(landed, 0, pair.other, batch.point(pair.column), batch.gap[pair.column]);
-                gather(landed, tool_, &pair.other, 1, growth_);
-                plain_landing(landed, 1, landing_limits(batch.depth, batch.proximity));
+                gather(landed, tool_, &pair.other, 0, 1, growth_);
+                plain_landing(landed, 0, 1, landing_limits(batch.depth, batch.proximity));
                 take(batch, pair.column, pair.other, landed, 0);
             } else {
                 put(batch, pair.column, decide_pair(batch, pair, rules));
@@ -181,9 +181,9 @@ Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, c
                     filter(y, segment, local_segment(segment), piece_of(place), window, rules));
     }
     Found found{decider.retained([&](int s) { return tool_.segment(s); }), Path::paired};
-    batch.memory[i]->forget();
+    batch.memory[i].forget();
     use_plain_magnitudes(y, window, found.retained);
-    if (found.retained.segment >= 0) batch.memory[i]->place = place_of(found.retained.segment, found.retained.piece);
+    if (found.retained.segment >= 0) batch.memory[i].place = place_of(found.retained.segment, found.retained.piece);
     return found;
 }
 

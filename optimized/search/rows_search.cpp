@@ -36,6 +36,31 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
     return std::min(cap, (weight_limit - plain_share - low) / rate);
 }
 
+/// Which of these foreseen columns has the least kappa in 100 bits, -1: that does not tell.
+int Search::least_fine_kappa(Batch& batch, const int* columns, int count) {
+    LandingRows& told = batch.partners;
+    const LandingRows& rows = batch.others;
+    for (int j = 0; j < count; ++j) {
+        const int c = columns[j];
+        for (int a = 0; a < 3; ++a) {
+            told.y[a][j] = rows.y[a][c];
+            for (int k = 0; k < 4; ++k) {
+                told.corner[k][a][j] = rows.corner[k][a][c];
+                told.normal[k][a][j] = rows.normal[k][a][c];
+            }
+        }
+        told.code[j] = rows.code[c];
+    }
+    fine_landing(told, count, batch.fine);
+    const auto kappa = [&](int j) { return TwoDoubles(batch.fine.high[j], batch.fine.low[j]); };
+    int best = 0;
+    for (int j = 1; j < count; ++j)
+        if ((kappa(j) - kappa(best)).high < 0) best = j;
+    for (int j = 0; j < count; ++j)
+        if (j != best && !((kappa(j) - kappa(best)).high > 3 * fine_kappa_share)) return -1;
+    return best;
+}
+
 /// One of these is retained, all of which take the node: a tie, or what it takes.
 Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
     const V3 y = batch.point(i);
@@ -44,7 +69,7 @@ Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, 
     SegmentData* const segments = batch.segments;
     for (int j = 0; j < count; ++j) {
         const int c = columns[j], place = batch.candidates[c].place;
-        const double kappa = kappa_of(batch.rows.b[c], batch.rows.c[c]);
+        const double kappa = kappa_of(batch.others.b[c], batch.others.c[c]);
         contenders[j] = {segment_of(place),   piece_of(place),    Kind::contact, false,
                          kappa - plain_share, kappa + plain_share};
         segments[j] = tool_.segment(segment_of(place));
@@ -60,6 +85,13 @@ Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, 
         first.settled = Settled::tie;
         return first;
     }
+    if (const int best = least_fine_kappa(batch, columns, count); best >= 0) {
+        Retained first;
+        first.segment = contenders[best].segment;
+        first.piece = contenders[best].piece;
+        first.settled = Settled::fine;
+        return first;
+    }
     Decider decider(y, window, rules);
     for (size_t j = 0; j < n; ++j)
         decider.add(contenders[j].segment, contenders[j].piece,
@@ -69,7 +101,7 @@ Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, 
 
 /// The node whose candidates these are. @return false where that takes more than a plain projection
 bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const {
-    const LandingRows& rows = batch.rows;
+    const LandingRows& rows = batch.others;
     const int i = batch.candidates[first].column;
     int best = -1;
     double least = HUGE_VAL, next = HUGE_VAL;
@@ -140,14 +172,14 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
 /// @param radius  within which nothing takes the node; where nothing is nearer than usual, or no radius is known, all
 /// prisms are asked
 void Search::keep_quiet(const Batch& batch, int i, double radius) const {
-    Memory& memory = *batch.memory[i];
+    Memory& memory = batch.memory[i];
     memory.from = batch.point(i);
     if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(memory.from, memory);
     memory.radius = shortened(radius);
 }
 
 void Search::keep_steady(const Batch& batch, int i, int place, double radius) const {
-    Memory& memory = *batch.memory[i];
+    Memory& memory = batch.memory[i];
     memory.place = place;
     memory.from = batch.point(i);
     memory.radius = -shortened(radius);
@@ -161,10 +193,10 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
     for (int c = 0; c < count; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
         place[c] = one.place;
-        ask_at(batch.rows, c, one.place, batch.point(one.column), batch.gap[one.column]);
+        ask_at(batch.others, c, one.place, batch.point(one.column), batch.gap[one.column]);
     }
-    gather(batch.rows, tool_, place, count, growth_);
-    plain_landing(batch.rows, count, landing_limits(batch.depth, batch.proximity));
+    gather(batch.others, tool_, place, 0, count, growth_);
+    plain_landing(batch.others, 0, count, landing_limits(batch.depth, batch.proximity));
     for (int first = 0; first < count;) {
         const int i = batch.candidates[first].column;
         int last = first + 1;
@@ -178,7 +210,7 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
 void Search::ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const {
     const V3 y = batch.point(i);
     const Window window{batch.gap[i], batch.depth, batch.proximity};
-    put(batch, i, remembers ? find(y, window, rules, *batch.memory[i]) : Found{search(y, window, rules)});
+    put(batch, i, remembers ? find(y, window, rules, batch.memory[i]) : Found{search(y, window, rules)});
 }
 
 void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const {
@@ -197,7 +229,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
                 __builtin_prefetch(&margins(place_of(s, 1)));
                 ++segments;
             });
-        if (!plain || segments > most_segments || (remembers && filtered(*batch.memory[i]))) {
+        if (!plain || segments > most_segments || (remembers && filtered(batch.memory[i]))) {
             ask_alone(batch, i, rules, remembers);
             continue;
         }
@@ -228,7 +260,7 @@ void Search::search(Batch& batch, const Rules& rules) const {
     batch.tally = {};
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
-    std::fill_n(batch.memory, batch.count, nullptr);
+    batch.memory = nullptr;
     for (int i = 0; i < batch.count; ++i)
         all[i] = i;
     ask_rows(batch, all, batch.count, rules, false);

@@ -9,34 +9,15 @@
 #include "optimized/decide/decide.h"
 #include "optimized/decide/fine_landing.h"
 #include "optimized/decide/foreseen_bounds.h"
+#include "optimized/search/ahead.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/gather.h"
+#include "optimized/search/memory.h"
 #include "optimized/search/path_tally.h"
 #include "optimized/search/prism.h"
 #include "optimized/search/rates.h"
 
 namespace type21::optimized {
-
-/// What a node remembers to be quick. It never changes an answer: it only says where to look first, and everything that
-/// is concluded from it is proven for the place where the node is now.
-struct Memory {
-    int place = -1;    ///< sub-triangle retained last, as place_of gives it
-    float radius = 0;  ///< of the ball around `from`, @see Search; > 0: quiet, < 0: steady, 0: none [length]
-    V3 from;           ///< [length]
-
-    /// Does the ball hold y? Sums of three squares are right to 3 ulp; that of a float is exact.
-    bool within(const V3& y) const {
-        const V3 way = y - from;
-        return dot(way, way) * (1 + 1e-14) < double(radius) * double(radius);
-    }
-    bool quiet_at(const V3& y) const { return radius > 0 && within(y); }
-    void forget() { radius = 0; }
-};
-
-/// A radius as a float that is no longer; 0 where there is none.
-inline float shortened(double radius) {
-    return radius > 0 ? std::nextafter(static_cast<float>(radius), 0.0F) : 0.0F;
-}
 
 /// How a node's decision came about.
 enum class Path {
@@ -107,17 +88,22 @@ class Search {
         Retained retained;
         Path path = Path::searched;
     };
-    /// Nodes and what is found of them, a row a number.
+    /// Nodes and what is found of them, a row a number: many, so that what few of them ask for fills registers. They
+    /// are worked on in parts, which the nearest cache holds.
     struct Batch {
-        static constexpr int room = 256;
-        using Row = double[room];
+        static constexpr int room = 256, part = LandingRows::room;
+        using Row = double[room + 8];  ///< of rows that are a power of two apart, few fit into a cache
 
         int count = 0;
         double depth = 0, proximity = 0;  ///< of all [length]
         bool cores = true;                ///< ask them; else for nodes with small balls only
-        Memory* memory[room];             ///< nullptr: not asked
-        alignas(64) Row y[3];             ///< in the tool frame [length]
-        alignas(64) Row gap;              ///< that decides contact [length]
+        const Ahead* ahead = nullptr;     ///< what else is asked of nodes
+        int first = 0;                    ///< rank of its first node, for that
+        Memory* memory = nullptr;         ///< of the nodes, one after the other
+        bool asked[room];                 ///< else nothing is found
+
+        alignas(64) Row y[3];  ///< in the tool frame [length]
+        alignas(64) Row gap;   ///< that decides contact [length]
 
         int place[room];                         ///< retained, -1: none; then the rest is not filled
         alignas(64) Row b, c, lift, n[3], x[3];  ///< as in LandingRows
@@ -130,7 +116,7 @@ class Search {
         Retained retained(int i) const;
         V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
 
-        // Where it works: a part of the nodes, and pairs of all of them.
+        // Where it works.
         struct Pair {
             int column, own, other;  ///< node, and places
             int side;                ///< of own, to which the other lies over: that opposite to this weight
@@ -141,10 +127,10 @@ class Search {
             int column, place;  ///< node, and what may take it
             double apart;       ///< of the node from the box of its segment, at least [length]
         };
-        LandingRows rows, partners;
+        LandingRows rows, others, partners;
         FineKappaRows fine;
-        Pair pairs[LandingRows::room], close[room];
-        Candidate candidates[LandingRows::room];
+        Pair pairs[part], close[room];
+        Candidate candidates[part];
         int pair_count = 0, close_count = 0, candidate_count = 0;
         static constexpr int most_close =
             16;  ///< that plain numbers do not tell apart; a node with more is asked alone
@@ -207,10 +193,11 @@ class Search {
     void ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const;
     void land_one(const V3& y, const Window& window, int place, LandingRows& rows) const;
     void use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const;
-    /// These nodes of the batch, where they were last. @param open  filled with those that are left
-    /// @return how many are left
-    int look_again(Batch& batch, const int* nodes, int count, const Rules& rules, int* open) const;
-    void land_again(Batch& batch, const int* nodes, int count) const;
+    /// Nodes of the part that begins at `first` where they were last. @param last  place for each node of the part; -1:
+    /// it does not look   @param open  filled with those that are left   @return how many are left
+    int look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const;
+    /// What nodes remember: those that are quiet are, and others have a place to look. @param last, open  likewise
+    int recall(Batch& batch, int first, int* last, int* open) const;
     /// Does node i, in this column of the rows, lie exactly above a corner where its place leads? Then it is decided.
     bool over_corner(Batch& batch, int i, int column) const;
     /// Proven: the two of a pair that both take the node are tied.
@@ -244,6 +231,7 @@ class Search {
     /// Lands what candidates there are, and decides the nodes whose candidates are there.
     void decide_candidates(Batch& batch, const Rules& rules, bool remembers) const;
     bool decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const;
+    static int least_fine_kappa(Batch& batch, const int* columns, int count);
     Retained tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
     Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
     void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;

@@ -65,6 +65,43 @@ TYPE21_INLINE double slice_in(const double* value, int count, const double* cut,
     return remaining;
 }
 
+/// The first two slices of whole groups of eight, if that is all: nothing is left below them, and no number is as large
+/// as the ceiling, or not finite. @return false: something is, and the sums are as they were
+template <int W>
+TYPE21_INLINE bool slice_two_in(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    constexpr int parts = 8 / W;
+    Lanes<W> total[2][parts], most{};
+    WholeLanes<Lanes<W>> rest{};
+    for (int s = 0; s < 2; ++s)
+        for (int p = 0; p < parts; ++p)
+            load(sum + 8 * s + W * p, total[s][p]);
+    for (int at = 0; at < count; at += 8) {
+        for (int p = 0; p < parts; ++p) {
+            Lanes<W> left, size;
+            load(value + at + W * p, left);
+            magnitude_of(left, size);
+            most_of(size, most);
+            for (int s = 0; s < 2; ++s) {
+                const Lanes<W> high = (left + cut[s]) - cut[s];
+                total[s][p] += high;
+                left -= high;
+            }
+            rest |= (WholeLanes<Lanes<W>>)left;  // infinite and no numbers leave no number
+        }
+    }
+    long long remains = 0;
+    double largest = 0;
+    for (int j = 0; j < W; ++j) {
+        remains |= rest[j];
+        largest = most[j] > largest ? most[j] : largest;
+    }
+    if ((remains & 0x7fffffffffffffff) != 0 || !(largest < ceiling)) return false;
+    for (int s = 0; s < 2; ++s)
+        for (int p = 0; p < parts; ++p)
+            store(total[s][p], sum + 8 * s + W * p);
+    return true;
+}
+
 TYPE21_AVX512 double largest_eight(const double* value, int count) {
     return largest_in<8>(value, count);
 }
@@ -76,6 +113,24 @@ TYPE21_AVX512 double slice_eight(const double* value, int count, const double* c
 }
 TYPE21_AVX2 double slice_four(const double* value, int count, const double* cut, double* sum) {
     return slice_in<4>(value, count, cut, sum);
+}
+
+TYPE21_AVX512 bool slice_two_eight(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    return slice_two_in<8>(value, count, ceiling, cut, sum);
+}
+TYPE21_AVX2 bool slice_two_four(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    return slice_two_in<4>(value, count, ceiling, cut, sum);
+}
+
+bool slice_two(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    switch (this_machine()) {
+        case Machine::eight:
+            return slice_two_eight(value, count, ceiling, cut, sum);
+        case Machine::four:
+            return slice_two_four(value, count, ceiling, cut, sum);
+        default:
+            return slice_two_in<2>(value, count, ceiling, cut, sum);
+    }
 }
 
 double largest_magnitude(const double* value, int count) {
@@ -132,6 +187,11 @@ void ExactAccumulator::add(double value) {
 
 void ExactAccumulator::add_block(const double* value, int n) {
     const int whole = n / 8 * 8;
+    // Mostly numbers are like those before, and two slices hold them.
+    if (whole == n && groups_ + n / 8 <= most_groups && slice_two(value, n, ceiling_, cut_.data(), lane_.data())) {
+        groups_ += n / 8;
+        return;
+    }
     const double most = largest_magnitude(value, whole);
     const bool ordinary = most == 0 || (most > 0x1p-800 && most < 0x1p900);
     if (ordinary && most > 0) {

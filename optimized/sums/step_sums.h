@@ -48,7 +48,7 @@ enum class Term : int {
 /// Rows of terms of up to `room` nodes: they are summed a block at a time, while they are in the cache.
 class TermBlock {
   public:
-    static constexpr int room = 256;
+    static constexpr int room = 64;
 
     double* column() { return value_.data() + size_; }
     static constexpr int stride = room;

@@ -10,6 +10,8 @@ namespace type21::bench {
 
 using optimized::fetch;
 using optimized::ForceRows;
+using optimized::from_rows;
+using optimized::into_rows;
 using optimized::Search;
 using optimized::Term;
 using optimized::TermBlock;
@@ -90,13 +92,28 @@ void BareStep::run(const Motion& motion) {
     batch.depth = laws_->card->depth;
     batch.proximity = 0;
     const int last = static_cast<int>(nodes_.node.size());
+    f.told = false;
+    optimized::Ahead ahead(last);
+    ahead.add(motion.position, nodes_.node);
+    ahead.add(nodes_.memory);
+    ahead.add(nodes_.gap);
+    if (until == Until::force || until == Until::sum) {
+        ahead.add(motion.velocity, nodes_.node);
+        ahead.add(nodes_.cycles);
+        ahead.add(nodes_.friction);
+        ahead.add(nodes_.stiffness);
+        ahead.add(nodes_.offset);
+        ahead.add(nodes_.mass);
+        ahead.add(force_);
+        ahead.add(step_stiffness_);
+    }
+    batch.ahead = &ahead;
     for (int first = 0; first < last; first += Search::Batch::room) {
         batch.count = std::min(Search::Batch::room, last - first);
-        for (int j = 0; j < batch.count; ++j) {
-            const auto i = static_cast<size_t>(first + j);
-            fetch(motion.position[static_cast<size_t>(nodes_.node[i])], batch.y, j);
-            batch.memory[j] = &nodes_.memory[i];
-        }
+        batch.first = first;
+        batch.memory = nodes_.memory.data() + first;
+        std::fill_n(batch.asked, batch.count, true);
+        into_rows(motion.position, nodes_.node.data() + first, batch.count, batch.y);
         fetch(nodes_.gap, first, batch.count, batch.gap);
         to_tool_frame(batch, batch.count, shared);
         keep(batch);
@@ -116,50 +133,32 @@ void BareStep::run(const Motion& motion) {
             }
             continue;
         }
-        int columns = 0;
         for (int at = 0; at < batch.count; at += ForceRows::room) {
-            const int start = first + at, count = std::min(ForceRows::room, batch.count - at);
-            for (int j = 0; j < optimized::whole_registers(count); ++j)
-                f.contact[j] = -static_cast<long long>(j < count && batch.place[at + j] >= 0 &&
-                                                       batch.kind[at + j] == Kind::contact);
-            for (int j = 0; j < count; ++j) {
-                const auto i = static_cast<size_t>(start + j);
-                f.first[j] = -static_cast<long long>(nodes_.cycles[i] == 0);
-                fetch(motion.velocity[static_cast<size_t>(nodes_.node[i])], f.velocity, j);
-                if constexpr (rubbing) fetch(nodes_.friction[i], f.friction, j);
+            const int start = first + at;
+            const bool acts = f.ask(nodes_, start, batch, at, motion.velocity, rubbing, rubbing);
+            if (acts) forces(shared, batch, f, terms);
+            f.remember(nodes_, acts);
+            if (!acts) {
+                std::fill_n(force_.begin() + start, f.count, Vec3(Vec3::Zero()));
+                std::fill_n(step_stiffness_.begin() + start, f.count, 0.0);
+                continue;
             }
-            fetch(nodes_.gap, start, count, f.gap);
-            fetch(nodes_.stiffness, start, count, f.stiffness);
-            fetch(nodes_.offset, start, count, f.offset);
-            if constexpr (rubbing) {
-                fetch(nodes_.mass, start, count, f.mass);
-                fetch(nodes_.stiffness, start, count, f.increment);
+            std::copy_n(f.step_stiffness, f.count, step_stiffness_.data() + start);
+            from_rows(f.force, f.count, force_.data() + start);
+            if constexpr (until == Until::force) continue;
+            if constexpr (how == Sums::plain) {
+                for (const Term term : summed) {
+                    const double* row = terms.row(term);
+                    double sum = 0;
+                    for (int j = 0; j < terms.size(); ++j)
+                        sum += row[j];
+                    plain[static_cast<size_t>(term)] += sum;
+                }
+            } else {
+                work_->sums.add(terms, summed);
             }
-            forces(shared, batch, at, f, count, terms, columns);
-            columns += optimized::whole_registers(count);
-            std::memcpy(nodes_.offset.data() + start, f.offset, static_cast<size_t>(count) * sizeof(double));
-            std::memcpy(step_stiffness_.data() + start, f.step_stiffness, static_cast<size_t>(count) * sizeof(double));
-            for (int j = 0; j < count; ++j) {
-                const auto i = static_cast<size_t>(start + j);
-                nodes_.cycles[i] = (nodes_.cycles[i] + 1) & static_cast<int>(f.closed[j]);
-                force_[i] = {f.force[0][j], f.force[1][j], f.force[2][j]};
-                if constexpr (rubbing) nodes_.friction[i] = {f.friction[0][j], f.friction[1][j], f.friction[2][j]};
-            }
+            terms.clear();
         }
-        if constexpr (until == Until::force) continue;
-        terms.resize(columns);
-        if constexpr (how == Sums::plain) {
-            for (const Term term : summed) {
-                const double* row = terms.row(term);
-                double sum = 0;
-                for (int j = 0; j < columns; ++j)
-                    sum += row[j];
-                plain[static_cast<size_t>(term)] += sum;
-            }
-        } else {
-            work_->sums.add(terms, summed);
-        }
-        terms.clear();
     }
     if constexpr (until == Until::sum) {
         // Without friction the whole force is the normal force, and only that is summed.

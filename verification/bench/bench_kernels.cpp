@@ -93,7 +93,7 @@ void many_plain(benchmark::State& state) {
         rows.gap[i] = 0.25;
     }
     for (auto _ : state) {
-        plain_landing(rows, LandingRows::room, {0.25, 0.25, 0.25, 0, true});
+        plain_landing(rows, 0, LandingRows::room, {0.25, 0.25, 0.25, 0, true});
         benchmark::ClobberMemory();
     }
 }

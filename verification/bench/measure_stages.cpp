@@ -29,7 +29,7 @@ std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
             rows.core[column] = 0;
             rows.gap[column] = bare.window(n).gap;
         }
-        gather(rows, bare.laws().tool, place.data(), LandingRows::room, std::max(limits.outward, limits.inward));
+        gather(rows, bare.laws().tool, place.data(), 0, LandingRows::room, std::max(limits.outward, limits.inward));
     }
     return blocks;
 }
@@ -43,6 +43,8 @@ class AskedAgain {
         for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::room) {
             const size_t count = std::min<size_t>(optimized::Search::Batch::room, nodes_.size() - first);
             batch_->count = static_cast<int>(count);
+            batch_->memory = memory_.data();
+            std::fill_n(batch_->asked, count, true);
             batch_->depth = bare_.window(0).depth;
             batch_->proximity = 0;
             for (size_t j = 0; j < count; ++j) {
@@ -52,7 +54,6 @@ class AskedAgain {
                 batch_->gap[j] = bare_.window(i).gap;
                 memory_[j] = bare_.memory()[i];
                 memory_[j].forget();
-                batch_->memory[j] = &memory_[j];
             }
             if (how_ == How::near_last)
                 bare_.search().find(*batch_, bare_.laws().rules);
@@ -123,7 +124,7 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             const Watch watch(true);
             for (int t = 0; t < times; ++t) {
                 for (LandingRows& block : rows)
-                    plain_landing(block, LandingRows::room, limits);
+                    plain_landing(block, 0, LandingRows::room, limits);
                 keep(rows);
             }
             return watch.nanoseconds() / static_cast<double>(times * rows.size() * LandingRows::room);

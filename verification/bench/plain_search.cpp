@@ -36,8 +36,8 @@ void PlainSearch::decide(std::span<const double> gap, double depth, std::span<De
     int place[LandingRows::room];
     for (int c = 0; c < count_; ++c)
         place[c] = candidates_[c].place;
-    gather(rows_, tool_, place, count_, std::max(limits_.outward, limits_.inward));
-    plain_landing(rows_, count_, {limits_.outward, limits_.inward, depth, 0, false});
+    gather(rows_, tool_, place, 0, count_, std::max(limits_.outward, limits_.inward));
+    plain_landing(rows_, 0, count_, {limits_.outward, limits_.inward, depth, 0, false});
     for (int c = 0; c < count_; ++c) {
         const LandingRows& r = rows_;
         constexpr double low = optimized::weight_limit;

@@ -51,11 +51,12 @@ V3 direction(std::mt19937_64& random) {
 void put(const std::vector<V3>& y, double gap, Search::Batch& batch, std::vector<Memory>* memory) {
     batch.count = static_cast<int>(y.size());
     batch.depth = reach;
+    batch.memory = memory == nullptr ? nullptr : memory->data();
     for (int i = 0; i < batch.count; ++i) {
         for (int a = 0; a < 3; ++a)
             batch.y[a][i] = y[static_cast<size_t>(i)][a];
         batch.gap[i] = gap;
-        batch.memory[i] = memory == nullptr ? nullptr : &(*memory)[static_cast<size_t>(i)];
+        batch.asked[i] = memory != nullptr;
     }
 }
 
@@ -91,8 +92,8 @@ TEST(Rates, BoundHowWeightsChange) {
             for (size_t i = 0; i < 2; ++i)
                 for (int a = 0; a < 3; ++a)
                     rows->y[a][i] = y[i][a];
-            gather(*rows, tool, places.data(), 2, reach);
-            plain_landing(*rows, 2, {reach, reach, reach, 0, false});
+            gather(*rows, tool, places.data(), 0, 2, reach);
+            plain_landing(*rows, 0, 2, {reach, reach, reach, 0, false});
             const double rate = double(rates[static_cast<size_t>(place)]);
             const auto weights = [&](size_t i) {
                 return std::array<double, 6>{rows->weight[0][i], rows->weight[1][i], rows->weight[2][i],

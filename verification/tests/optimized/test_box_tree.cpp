@@ -135,7 +135,7 @@ TEST(Gather, FillsTheSameRowsOnEachMachine) {
             for (const Machine machine : {Machine::two, Machine::four}) {
                 if (machine > this_machine()) continue;
                 auto rows = std::make_unique<LandingRows>();
-                gather(*rows, tool, place.data(), count, 0.2, machine);
+                gather(*rows, tool, place.data(), 0, count, 0.2, machine);
                 for (size_t i = 0; i < place.size(); ++i) {
                     const int segment = segment_of(place[i]);
                     for (int j = 0; j < 4; ++j) {

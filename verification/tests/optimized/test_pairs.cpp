@@ -63,6 +63,7 @@ TEST(Pairs, DecideAsTheTreeDoes) {
         auto batch = std::make_unique<Search::Batch>();
         batch->depth = window.depth;
         std::vector<Memory> memory(Search::Batch::room);
+        batch->memory = memory.data();
         int paired = 0, fine = 0;
         for (int round = 0; round < 40; ++round) {
             batch->count = Search::Batch::room - static_cast<int>(random() % 9);
@@ -76,7 +77,7 @@ TEST(Pairs, DecideAsTheTreeDoes) {
                 batch->gap[i] = window.gap;
                 memory[static_cast<size_t>(i)] = {};
                 if (random() % 16 != 0) memory[static_cast<size_t>(i)].place = place_of(segment, piece);
-                batch->memory[i] = &memory[static_cast<size_t>(i)];
+                batch->asked[i] = true;
             }
             search.find(*batch, rules);
             for (int i = 0; i < batch->count; ++i) {
@@ -129,13 +130,13 @@ TEST(Machines, GiveTheSameBits) {
     const auto two = std::make_unique<LandingRows>(*first);
     FineKappaRows fine_two{};
     const LandingLimits limits{0.1, 0.1, 0.1, 0, true};
-    plain_landing(*two, LandingRows::room, limits, Machine::two);
+    plain_landing(*two, 0, LandingRows::room, limits, Machine::two);
     fine_landing(*two, LandingRows::room, fine_two, Machine::two);
     for (const Machine machine : {Machine::four, Machine::eight}) {
         if (machine > this_machine()) continue;
         const auto wide = std::make_unique<LandingRows>(*first);
         FineKappaRows fine{};
-        plain_landing(*wide, LandingRows::room, limits, machine);
+        plain_landing(*wide, 0, LandingRows::room, limits, machine);
         fine_landing(*wide, LandingRows::room, fine, machine);
         EXPECT_EQ(std::memcmp(two.get(), wide.get(), sizeof(LandingRows)), 0) << static_cast<int>(machine);
         EXPECT_EQ(std::memcmp(&fine_two, &fine, sizeof(fine)), 0) << static_cast<int>(machine);

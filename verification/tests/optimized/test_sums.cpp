@@ -66,6 +66,49 @@ TEST(ExactAccumulator, KeepsWhatLiesFarBelowTheLargestOfABlock) {
     EXPECT_EQ(sum.value(), 0x1p-200);
 }
 
+/// A block is quick when it is like those before: what is not must be seen.
+TEST(ExactAccumulator, SeesWhatABlockHasThatOthersHadNot) {
+    std::mt19937_64 random(4);
+    const double odd[] = {0.0,      -0.0,    0x1.8p-95, -0x1.23456789abcdep-30, 0x1.fp-27, 0x1.7p3, 0x1.8p4,
+                          -0x1.1p5, 0x1p200, 0x1p-1070, 0x1.fffffffffffffp-41};
+    for (const double one : odd) {
+        for (const size_t at : {0, 7, 40, 63}) {
+            optimized::ExactAccumulator sum;
+            std::vector<double> all;
+            for (int block = 0; block < 5; ++block) {
+                std::vector<double> v = numbers(64, 2, random);
+                if (block == 3) v[at] = one;
+                if (block == 4) std::fill(v.begin(), v.end(), one);
+                sum.add_block(v.data(), 64);
+                all.insert(all.end(), v.begin(), v.end());
+            }
+            EXPECT_EQ(sum.value(), expansion(all)) << one << " " << at;
+        }
+    }
+    for (const double one : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        optimized::ExactAccumulator sum;
+        std::vector<double> v = numbers(64, 2, random);
+        sum.add_block(v.data(), 64);
+        v[33] = one;
+        sum.add_block(v.data(), 64);
+        EXPECT_TRUE(std::isnan(one) ? std::isnan(sum.value()) : sum.value() == one);
+    }
+}
+
+/// So many blocks of one sign that a double cannot hold the slices of a lane.
+TEST(ExactAccumulator, HoldsManyBlocks) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> unit(1.9, 2);
+    optimized::ExactAccumulator sum, one_by_one;
+    for (int block = 0; block < 8000; ++block) {
+        std::vector<double> v(64);
+        for (double& x : v)
+            one_by_one.add(x = unit(random));
+        sum.add_block(v.data(), 64);
+    }
+    EXPECT_EQ(sum.value(), one_by_one.value());
+}
+
 TEST(ExactAccumulator, RoundsOnceToNearestEven) {
     const auto sum = [](std::initializer_list<double> v) {
         optimized::ExactAccumulator a;

@@ -1,0 +1,101 @@
+// Vectors of nodes in rows and back, and what balls hold, for every machine and every number of nodes.
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "optimized/kernel/columns.h"
+#include "optimized/search/memory.h"
+
+namespace type21::optimized {
+namespace {
+
+constexpr int room = 40;
+constexpr double untouched = -7;
+
+std::vector<Vec3> numbered(int count) {
+    std::vector<Vec3> vectors;
+    for (int i = 0; i < count; ++i)
+        vectors.push_back(Vec3(10 * i, 10 * i + 1, 10 * i + 2));
+    return vectors;
+}
+
+class Columns : public ::testing::TestWithParam<Machine> {
+  protected:
+    void SetUp() override {
+        if (GetParam() > this_machine()) GTEST_SKIP() << "this processor has no such registers";
+    }
+    std::array<std::vector<double>, 3> rows_{std::vector<double>(room, untouched), std::vector<double>(room, untouched),
+                                             std::vector<double>(room, untouched)};
+    Components components() { return {rows_[0].data(), rows_[1].data(), rows_[2].data()}; }
+};
+
+TEST_P(Columns, TurnWhatStandsInOrder) {
+    for (int count = 0; count <= room; ++count) {
+        std::vector<V3> from;
+        for (const Vec3& v : numbered(count))
+            from.push_back({v[0], v[1], v[2]});
+        from.push_back({});  // a pointer to none is one too
+        for (auto& row : rows_)
+            std::fill(row.begin(), row.end(), untouched);
+        into_rows(from.data(), count, components(), GetParam());
+        for (int a = 0; a < 3; ++a)
+            for (int j = 0; j < room; ++j)
+                ASSERT_EQ(rows_[static_cast<size_t>(a)][static_cast<size_t>(j)], j < count ? 10 * j + a : untouched);
+        std::vector<V3> back(room + 1, V3{untouched, untouched, untouched});
+        from_rows(ConstComponents{rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, back.data(), GetParam());
+        for (int j = 0; j < room; ++j)
+            for (int a = 0; a < 3; ++a)
+                ASSERT_EQ(back[static_cast<size_t>(j)][a], j < count ? 10 * j + a : untouched) << count;
+    }
+}
+
+TEST_P(Columns, TurnWhatIsChosen) {
+    std::mt19937 random(5);
+    const std::vector<Vec3> from = numbered(200);
+    for (int round = 0; round < 400; ++round) {
+        const int count = static_cast<int>(random() % (room + 1));
+        // Runs of neighbours, with jumps ahead and back, and the same one twice.
+        std::vector<int> index;
+        int next = static_cast<int>(random() % 100);
+        for (int j = 0; j < count; ++j) {
+            index.push_back(next);
+            next = random() % 12 != 0 ? std::min(next + 1, 199) : static_cast<int>(random() % 200);
+            if (random() % 30 == 0) next = index.back();
+        }
+        index.push_back(0);
+        into_rows(from, index.data(), count, components(), GetParam());
+        for (int a = 0; a < 3; ++a)
+            for (int j = 0; j < count; ++j)
+                ASSERT_EQ(rows_[static_cast<size_t>(a)][static_cast<size_t>(j)],
+                          from[static_cast<size_t>(index[static_cast<size_t>(j)])][a]);
+    }
+}
+
+TEST_P(Columns, BallsHoldWhatEachHolds) {
+    std::mt19937 random(6);
+    std::normal_distribution<double> number;
+    for (int count = 0; count <= room; ++count) {
+        std::vector<Memory> memory(room);
+        for (int j = 0; j < room; ++j) {
+            Memory& one = memory[static_cast<size_t>(j)];
+            one.from = {number(random), number(random), number(random)};
+            one.radius = random() % 5 == 0 ? 0.0F : static_cast<float>(number(random));
+            for (int a = 0; a < 3; ++a)
+                rows_[static_cast<size_t>(a)][static_cast<size_t>(j)] = one.from[a] + 0.5 * number(random);
+        }
+        std::vector<long long> within(room, 5);
+        within_balls(memory.data(), {rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, within.data(),
+                     GetParam());
+        for (int j = 0; j < room; ++j) {
+            const auto i = static_cast<size_t>(j);
+            const bool holds = memory[i].within({rows_[0][i], rows_[1][i], rows_[2][i]});
+            ASSERT_EQ(within[i], j >= count ? 5 : (holds ? -1 : 0)) << count << " " << j;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, Columns, ::testing::Values(Machine::two, Machine::four, Machine::eight),
+                         [](const auto& machine) { return "lanes" + std::to_string(static_cast<int>(machine.param)); });
+
+}  // namespace
+}  // namespace type21::optimized
