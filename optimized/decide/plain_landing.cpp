@@ -9,13 +9,13 @@ namespace {
 
 /// The columns from `at` on.
 template <int W>
-TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) {
+TYPE21_INLINE void land(LandingRows& rows, const LandingPlace& place, int at, const LandingLimits& limits) {
     using L = Lanes<W>;
     using I = WholeLanes<L>;
     using V = VectorLanes<L>;
     V y, d0, d1, d2, d3, n0, n1, n2, n3;
     I code;
-    load(rows.y[0] + at, rows.y[1] + at, rows.y[2] + at, y);
+    load(place.y[0] + at, place.y[1] + at, place.y[2] + at, y);
     load(rows.corner[0][0] + at, rows.corner[0][1] + at, rows.corner[0][2] + at, d0);
     load(rows.corner[1][0] + at, rows.corner[1][1] + at, rows.corner[1][2] + at, d1);
     load(rows.corner[2][0] + at, rows.corner[2][1] + at, rows.corner[2][2] + at, d2);
@@ -111,11 +111,11 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     x.y = o.y + (center.y + (e1.y * landed_b + e2.y * landed_c));
     x.z = o.z + (center.z + (e1.z * landed_b + e2.z * landed_c));
 
-    store(landed_b, rows.b + at);
-    store(landed_c, rows.c + at);
-    store(lift, rows.lift + at);
-    store(n, rows.n[0] + at, rows.n[1] + at, rows.n[2] + at);
-    store(x, rows.x[0] + at, rows.x[1] + at, rows.x[2] + at);
+    store(landed_b, place.b + at);
+    store(landed_c, place.c + at);
+    store(lift, place.lift + at);
+    store(n, place.n[0] + at, place.n[1] + at, place.n[2] + at);
+    store(x, place.x[0] + at, place.x[1] + at, place.x[2] + at);
     store(a1, rows.weight[0] + at);
     store(b1, rows.weight[1] + at);
     store(c1, rows.weight[2] + at);
@@ -136,7 +136,7 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
     L core, size, gap, p_size, q_size, normal_square;
     load(rows.core + at, core);
     load(rows.size + at, size);
-    load(rows.gap + at, gap);
+    load(place.gap + at, gap);
     magnitude_of(px, p_size);
     magnitude_of(py, q_size);
     dot_of(n, n, normal_square);
@@ -187,30 +187,42 @@ TYPE21_INLINE void land(LandingRows& rows, int at, const LandingLimits& limits) 
 }
 
 template <int W>
-TYPE21_INLINE void land_all(LandingRows& rows, int first, int last, const LandingLimits& limits) {
+TYPE21_INLINE void land_all(LandingRows& rows, const LandingPlace& place, int first, int last,
+                            const LandingLimits& limits) {
     for (int at = first; at < last; at += W)
-        land<W>(rows, at, limits);
+        land<W>(rows, place, at, limits);
 }
 
-TYPE21_AVX512 void land_eight(LandingRows& rows, int first, int last, const LandingLimits& limits) {
-    land_all<8>(rows, first, last, limits);
+TYPE21_AVX512 void land_eight(LandingRows& rows, const LandingPlace& place, int first, int last,
+                              const LandingLimits& limits) {
+    land_all<8>(rows, place, first, last, limits);
 }
-TYPE21_AVX2 void land_four(LandingRows& rows, int first, int last, const LandingLimits& limits) {
-    land_all<4>(rows, first, last, limits);
+TYPE21_AVX2 void land_four(LandingRows& rows, const LandingPlace& place, int first, int last,
+                           const LandingLimits& limits) {
+    land_all<4>(rows, place, first, last, limits);
 }
-void land_two(LandingRows& rows, int first, int last, const LandingLimits& limits) {
-    land_all<2>(rows, first, last, limits);
+void land_two(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits) {
+    land_all<2>(rows, place, first, last, limits);
+}
+
+LandingPlace own(LandingRows& r) {
+    return {{r.y[0], r.y[1], r.y[2]}, r.gap, r.b, r.c, r.lift, {r.n[0], r.n[1], r.n[2]}, {r.x[0], r.x[1], r.x[2]}};
 }
 
 }  // namespace
 
 void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits, Machine machine) {
+    plain_landing(rows, own(rows), first, last, limits, machine);
+}
+
+void plain_landing(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
+                   Machine machine) {
     if (machine == Machine::eight) {
-        land_eight(rows, first, last, limits);
+        land_eight(rows, place, first, last, limits);
     } else if (machine == Machine::four) {
-        land_four(rows, first, last, limits);
+        land_four(rows, place, first, last, limits);
     } else {
-        land_two(rows, first, last, limits);
+        land_two(rows, place, first, last, limits);
     }
 }
 

@@ -2,6 +2,7 @@
 /// before.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "optimized/decide/segment.h"
@@ -37,6 +38,15 @@ struct LandingRows {
     alignas(64) Row rejected;   ///< 1: a weight is surely below its limit, in a foreseen sub-triangle; 0: not known
 };
 
+/// Where nodes stand, and where it is put what most of them are asked for: in rows of others, from their first column
+/// on.
+struct LandingPlace {
+    std::array<const double*, 3> y;
+    const double* gap;
+    double *b, *c, *lift;
+    std::array<double*, 3> n, x;
+};
+
 /// What holds for all nodes of a tool.
 struct LandingLimits {
     double outward, inward;  ///< Search::limits [length]
@@ -49,6 +59,9 @@ struct LandingLimits {
 /// lies in the core, lands where it is surely taken, off the plane and away from its reach by more than rounding.
 /// @param first, last  columns, first a multiple of eight; those up to the next one behind the last are computed too
 void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits,
+                   Machine machine = this_machine());
+/// The same; y and gap are taken from there, and b, c, lift, n and x put there.
+void plain_landing(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
                    Machine machine = this_machine());
 
 /// Step 6.

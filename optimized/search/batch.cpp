@@ -10,6 +10,23 @@ namespace type21::optimized {
 
 namespace {
 
+/// Some nodes of a part, found without a branch and listed by eights.
+struct Flags {
+    alignas(8) bool at[Search::Batch::part] = {};
+
+    /// @return how many of the first `count` there are; each is put into the list, with `first` added
+    int list(int count, int first, int* into) const {
+        int found = 0;
+        for (int c = 0; c < count; c += 8) {
+            std::uint64_t eight;
+            std::memcpy(&eight, at + c, 8);
+            for (int i = c; eight != 0; ++i, eight >>= 8)
+                if ((eight & 1) != 0) into[found++] = first + i;
+        }
+        return found;
+    }
+};
+
 constexpr double taking = weight_limit + plain_share - foreseen_share;  ///< as a core: all that the sub-triangle takes
 
 }  // namespace
@@ -33,7 +50,6 @@ void Search::find(Batch& batch, const Rules& rules) const {
     int last[Batch::part], open[Batch::room], left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
-    std::fill_n(batch.path, batch.count, Path::certified);
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
     std::fill_n(batch.place, batch.count, -1);
@@ -47,50 +63,49 @@ void Search::find(Batch& batch, const Rules& rules) const {
     ask_rows(batch, open, left, rules, true);
 }
 
+LandingPlace Search::Batch::from(int i) {
+    return {{y[0] + i, y[1] + i, y[2] + i}, gap + i, b + i, c + i, lift + i, {n[0] + i, n[1] + i, n[2] + i},
+            {x[0] + i, x[1] + i, x[2] + i}};
+}
+
 int Search::recall(Batch& batch, int first, int* last, int* open) const {
     const int count = std::min(Batch::part, batch.count - first);
     const Memory* const memory = batch.memory + first;
+    Path* const path = batch.path + first;
     long long within[Batch::part];
     within_balls(memory, {batch.y[0] + first, batch.y[1] + first, batch.y[2] + first}, count, within);
-    int left = 0;
-    long quiet = 0;
+    // Without a branch: which of these a node is no processor can guess.
+    const float small = batch.cores ? HUGE_VALF : shortened(small_ball_);
+    Flags left;
+    int quiet = 0;
     for (int j = 0; j < count; ++j) {
-        last[j] = -1;
-        if (!batch.asked[first + j]) continue;
         const float radius = memory[j].radius;
-        const bool steady = within[j] != 0 && radius < 0;
-        if (within[j] != 0 && radius > 0) {
-            batch.path[first + j] = Path::quiet;
-            ++quiet;
-        } else if (memory[j].place >= 0 && !(radius > 0) && (steady || batch.cores || -double(radius) < small_ball_)) {
-            tool_.prefetch_segment(segment_of(memory[j].place));
-            if (steady) batch.path[first + j] = Path::steady;
-            last[j] = memory[j].place;
-        } else {
-            open[left++] = first + j;
-        }
+        const int place = memory[j].place;
+        const bool in = within[j] != 0, asked = batch.asked[first + j];
+        const bool steady = in & (radius < 0), rests = asked & in & (radius > 0);
+        const bool looks = asked & (place >= 0) & !(radius > 0) & (steady | (-radius < small));
+        last[j] = looks ? place : -1;
+        path[j] = looks & steady ? Path::steady : (rests ? Path::quiet : Path::certified);
+        quiet += rests;
+        left.at[j] = asked & !rests & !looks;
+        tool_.prefetch_segment(segment_of(looks ? place : 0));
     }
     batch.tally.quiet += quiet;
-    return left;
+    return left.list(count, first, open);
 }
 
 int Search::look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const {
     LandingRows& rows = batch.rows;
     const int count = std::min(Batch::part, batch.count - first);
+    const Path* const path = batch.path + first;
     int any = -1;
     for (int c = 0; c < count; ++c) {
         if (last[c] < 0) continue;
         any = last[c];
         tool_.prefetch_corners(segment_of(last[c]));
-        rows.core[c] = batch.path[first + c] == Path::steady ? taking : double(core(last[c]));
+        rows.core[c] = path[c] == Path::steady ? taking : double(core(last[c]));
     }
     if (any < 0) return 0;
-    // Whole rows are copied faster than parts of them, and what is behind the nodes is nobody's.
-    const auto in = [&](const double* from, double* to) { std::memcpy(to, from + first, sizeof(LandingRows::Row)); };
-    const auto out = [&](const double* from, double* to) { std::memcpy(to + first, from, sizeof(LandingRows::Row)); };
-    for (int a = 0; a < 3; ++a)
-        in(batch.y[a], rows.y[a]);
-    in(batch.gap, rows.gap);
     // Nodes that do not look stand anywhere; what they get is not asked.
     constexpr int group = Ahead::group;
     for (int c = 0; c < count; c += group) {
@@ -100,35 +115,42 @@ int Search::look_again(Batch& batch, int first, const int* last, const Rules& ru
             place[i] = c + i < count && last[c + i] >= 0 ? last[c + i] : any;
         gather(rows, tool_, place, c, group, growth_);
     }
-    plain_landing(rows, 0, count, landing_limits(batch.depth, batch.proximity));
-    out(rows.b, batch.b);
-    out(rows.c, batch.c);
-    out(rows.lift, batch.lift);
-    for (int a = 0; a < 3; ++a) {
-        out(rows.n[a], batch.n[a]);
-        out(rows.x[a], batch.x[a]);
-    }
-    int left = 0, kept = 0, alone = 0;
+    plain_landing(rows, batch.from(first), 0, count, landing_limits(batch.depth, batch.proximity));
+    Flags unsure;
+    int kept = 0, alone = 0;
     for (int c = 0; c < count; ++c) {
-        if (last[c] < 0) continue;
-        const int i = first + c;
-        const double certain = rows.certain[c];
-        batch.side[i] = rows.lift[c] > 0 ? 1 : -1;
-        if (certain > 0) batch.place[i] = last[c];
-        if (batch.path[i] == Path::steady) {
-            kept += certain > 0;
-            // A ball tells who is retained, not that nothing is.
-            if (!(certain > 0)) open[left++] = i;
-            continue;
-        }
-        alone += certain != 0;
-        if (certain != 0) continue;
-        if (!over_corner(batch, i, c) && !pair_up(batch, i, c)) open[left++] = i;
-        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
+        const bool looks = last[c] >= 0, steady = path[c] == Path::steady;
+        const bool takes = looks & (rows.certain[c] > 0), misses = looks & (rows.certain[c] < 0);
+        batch.place[first + c] = takes ? last[c] : -1;
+        batch.side[first + c] = batch.lift[first + c] > 0 ? 1 : -1;
+        kept += steady & takes;
+        alone += (takes | misses) & !steady;
+        // A ball tells who is retained, not that nothing is.
+        unsure.at[c] = looks & !takes & !(misses & !steady);
     }
     batch.tally.steady += kept;
     batch.tally.certified += alone;
+    int nodes[Batch::part], left = 0;
+    const int looking = unsure.list(count, 0, nodes);
+    for (int j = 0; j < looking; ++j) {
+        const int c = nodes[j], i = first + c;
+        if (path[c] == Path::steady || !near_side(batch, i, c)) open[left++] = i;
+        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
+    }
     return left;
+}
+
+bool Search::near_side(Batch& batch, int i, int c) const {
+    LandingRows& rows = batch.rows;
+    for (int a = 0; a < 3; ++a) {
+        rows.y[a][c] = batch.y[a][i];
+        rows.n[a][c] = batch.n[a][i];
+    }
+    rows.gap[c] = batch.gap[i];
+    rows.b[c] = batch.b[i];
+    rows.c[c] = batch.c[i];
+    rows.lift[c] = batch.lift[i];
+    return over_corner(batch, i, c) || pair_up(batch, i, c);
 }
 
 void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {

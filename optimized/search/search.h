@@ -114,6 +114,8 @@ class Search {
         PathTally tally;  ///< of this batch
 
         Retained retained(int i) const;
+        /// The rows from this node on.
+        LandingPlace from(int first);
         V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
 
         // Where it works.
@@ -196,6 +198,9 @@ class Search {
     /// Nodes of the part that begins at `first` where they were last. @param last  place for each node of the part; -1:
     /// it does not look   @param open  filled with those that are left   @return how many are left
     int look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const;
+    /// Node i, which its place neither surely takes nor rejects, in this column of the rows: does a corner decide it, or
+    /// is it one of a pair?
+    bool near_side(Batch& batch, int i, int column) const;
     /// What nodes remember: those that are quiet are, and others have a place to look. @param last, open  likewise
     int recall(Batch& batch, int first, int* last, int* open) const;
     /// Does node i, in this column of the rows, lie exactly above a corner where its place leads? Then it is decided.
