@@ -171,9 +171,10 @@ TYPE21_INLINE void land(LandingRows& rows, const LandingPlace& place, int at, co
     met += least >= plain_weight ? one : zero;
     // Without step 3 where step 2 rejects.
     const L lowest = inner < plain_weight ? inner : least;
-    L rejected = lowest < weight_limit - plain_share ? sure : zero;
-    rejected = core < double(beyond_foreseen) ? rejected : zero;
-    store(rejected == 6.0 ? one : zero, rows.rejected + at);
+    L rejected = sure;
+    rejected += lowest < weight_limit - plain_share ? one : zero;
+    rejected += core < double(beyond_foreseen) ? one : zero;
+    store(rejected == 8.0 ? one : zero, rows.rejected + at);
     L touched = distance2 < nearer * nearer ? one : zero;
     touched += nearer > 0.0 ? one : zero;
     L certain = touched + met == 10.0 ? one : zero;

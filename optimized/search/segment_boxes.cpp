@@ -35,8 +35,8 @@ TYPE21_INLINE void extend(const L (&x)[3], const L (&rise)[3], double share, dou
     }
 }
 
-/// Quads only: the same steps as prism() and Prism::box().
-template <int W>
+/// All quads, or all triangles: the same steps as prism() and Prism::box().
+template <int W, bool triangles>
 TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
     using L = Lanes<W>;
     using V = VectorLanes<L>;
@@ -52,9 +52,15 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
         m.y = ((v[0].y + v[1].y) + (v[2].y + v[3].y)) * 0.25;
         m.z = ((v[0].z + v[1].z) + (v[2].z + v[3].z)) * 0.25;
     };
-    mean(x, x[4]);
-    mean(n, n[4]);
-    mean(local, local[4]);
+    if constexpr (triangles) {
+        x[4] = x[2];
+        n[4] = n[2];
+        local[4] = local[2];
+    } else {
+        mean(x, x[4]);
+        mean(n, n[4]);
+        mean(local, local[4]);
+    }
     const double growth = std::max(limits.outward, limits.inward);
     L size = zero, far = zero, other;
     const auto largest = [&](const V& v, L& most) __attribute__((always_inline)) {
@@ -74,7 +80,7 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
     const L slack = 1e-7 * (size + growth) + 1e-13 * far;
     BoxLanes<L> all[3] = {
         {zero + HUGE_VAL, zero - HUGE_VAL}, {zero + HUGE_VAL, zero - HUGE_VAL}, {zero + HUGE_VAL, zero - HUGE_VAL}};
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < (triangles ? 1 : 4); ++k) {
         const int b = k, c = (k + 1) % 4;
         V e1, e2, area;
         L square, length, slope[3], steep[3];
@@ -92,6 +98,7 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
             root_of(square, steep[i]);
             trusted += slope[i] > 0.05 * steep[i] ? zero + 1.0 : zero;
         }
+        const WholeLanes<L> doubted = (WholeLanes<L>)(trusted - 4.0) >> 63;
         // Leaning normals: the sub-triangle may take nodes in its plane only; the wider of prism()'s answers is good.
         const auto axis = [&](int a, const L& xa, const L& xb, const L& xc, const L& na, const L& nb, const L& nc)
             __attribute__((always_inline)) {
@@ -107,10 +114,10 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
             extend(corner, rise, limits.margin, limits.inward, limits.outward, exact);
             most_of(plain.low, exact.low);
             least_of(plain.high, exact.high);
-            const L low = trusted == 4.0 ? exact.low : plain.low;
-            const L high = trusted == 4.0 ? exact.high : plain.high;
-            least_of(low, all[a].low);
-            most_of(high, all[a].high);
+            choose(doubted, plain.low, exact.low);
+            choose(doubted, plain.high, exact.high);
+            least_of(exact.low, all[a].low);
+            most_of(exact.high, all[a].high);
         };
         axis(0, x[4].x, x[b].x, x[c].x, n[4].x, n[b].x, n[c].x);
         axis(1, x[4].y, x[b].y, x[c].y, n[4].y, n[b].y, n[c].y);
@@ -123,18 +130,18 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
 }
 
 template <int W>
-TYPE21_INLINE void boxes_all(SegmentRows& rows, const Limits& limits) {
+TYPE21_INLINE void boxes_all(SegmentRows& rows, const Limits& limits, bool triangles) {
     for (int at = 0; at < group; at += W)
-        boxes_in<W>(rows, at, limits);
+        triangles ? boxes_in<W, true>(rows, at, limits) : boxes_in<W, false>(rows, at, limits);
 }
-TYPE21_AVX512 void boxes_eight(SegmentRows& rows, const Limits& limits) {
-    boxes_all<8>(rows, limits);
+TYPE21_AVX512 void boxes_eight(SegmentRows& rows, const Limits& limits, bool triangles) {
+    boxes_all<8>(rows, limits, triangles);
 }
-TYPE21_AVX2 void boxes_four(SegmentRows& rows, const Limits& limits) {
-    boxes_all<4>(rows, limits);
+TYPE21_AVX2 void boxes_four(SegmentRows& rows, const Limits& limits, bool triangles) {
+    boxes_all<4>(rows, limits, triangles);
 }
-void boxes_two(SegmentRows& rows, const Limits& limits) {
-    boxes_all<2>(rows, limits);
+void boxes_two(SegmentRows& rows, const Limits& limits, bool triangles) {
+    boxes_all<2>(rows, limits, triangles);
 }
 
 }  // namespace
@@ -145,8 +152,10 @@ std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, Machine m
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
         SegmentRows rows;
         for (int first = range.begin(); first < range.end(); first += group) {
+            bool triangles = true;
             for (int i = 0; i < group; ++i) {
                 const int s = std::min(first + i, range.end() - 1);
+                triangles = triangles && tool.is_triangle(s);
                 for (int j = 0; j < 4; ++j) {
                     const V3 &x = tool.node(s, j), &n = tool.normal(s, j);
                     for (int a = 0; a < 3; ++a) {
@@ -155,11 +164,11 @@ std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, Machine m
                     }
                 }
             }
-            compute(rows, limits);
+            compute(rows, limits, triangles);
             for (int s = first; s < std::min(first + group, range.end()); ++s) {
                 Box& box = boxes[static_cast<size_t>(s)];
                 const int i = s - first;
-                if (tool.is_triangle(s)) {
+                if (!triangles && tool.is_triangle(s)) {
                     box = prism(tool.segment(s), 1, limits).box();
                 } else {
                     box.low = {rows.low[0][i], rows.low[1][i], rows.low[2][i]};

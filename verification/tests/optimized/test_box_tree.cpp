@@ -6,6 +6,7 @@
 
 #include "optimized/search/box_tree.h"
 #include "optimized/search/gather.h"
+#include "optimized/search/segment_boxes.h"
 #include "verification/tests/optimized/test_tools.h"
 
 namespace type21::optimized {
@@ -119,6 +120,64 @@ TEST(BoxTree, HidesNothingTinyOrBeyondSquares) {
             EXPECT_LE(apart, exact);
         });
         EXPECT_EQ(found, 1) << size;
+    }
+}
+
+/// Quads, triangles and both in one tool; slivers and normals that lean far, where prisms are grown.
+TEST(SegmentBoxes, HoldThePrismsAndHardlyMore) {
+    const Limits limits{0.1, 0.05, 0.01, false};
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto direction = [&] { return V3{unit(random), unit(random), 1.2}; };
+    for (const int kind : {0, 1, 2}) {  // quads, triangles, both
+        for (const double thin : {1.0, 1e-4, 1e-13}) {
+            for (const bool leans : {false, true}) {
+                std::vector<V3> position, normal;
+                std::vector<std::array<int, 4>> corner;
+                for (int s = 0; s < 61; ++s) {
+                    const V3 at{10 * unit(random), 10 * unit(random), unit(random)};
+                    const int a = static_cast<int>(position.size());
+                    for (const V3& x : {V3{0, 0, 0}, V3{1, 0, 0}, V3{1, 1, 0}, V3{0, 1, 0}}) {
+                        const V3 moved{x.x + 0.2 * unit(random), x.y + 0.2 * unit(random), 0.2 * unit(random)};
+                        position.push_back(at + V3{moved.x, moved.y * thin, moved.z * thin});
+                        const V3 n = leans && s % 3 == 0 ? V3{3, 0, 0.05 * unit(random)} : direction();
+                        normal.push_back(n * (1 / norm(n)));
+                    }
+                    const bool triangle = kind == 1 || (kind == 2 && s % 2 == 0);
+                    corner.push_back({a, a + 1, a + 2, triangle ? a + 2 : a + 3});
+                }
+                const Tool tool(position, normal, corner);
+                int exact = 0;
+                for (const Machine machine : {Machine::two, Machine::four, Machine::eight}) {
+                    if (machine > this_machine()) continue;
+                    const std::vector<Box> boxes = segment_boxes(tool, limits, machine);
+                    for (int s = 0; s < tool.size(); ++s) {
+                        Box prisms, grown;
+                        bool all_grown = true;
+                        for (int k = 1; k <= tool.segment(s).pieces(); ++k) {
+                            Prism one = prism(tool.segment(s), k, limits);
+                            prisms.extend(one.box().low);
+                            prisms.extend(one.box().high);
+                            all_grown = all_grown && one.grown;
+                            one.grown = true;
+                            grown.extend(one.box().low);
+                            grown.extend(one.box().high);
+                        }
+                        const Box& box = boxes[static_cast<size_t>(s)];
+                        for (int a = 0; a < 3; ++a) {
+                            constexpr double rounding = 1e-12;  // of coordinates up to 11, far below the slack of 1e-7
+                            ASSERT_LE(box.low[a], prisms.low[a] + rounding);
+                            ASSERT_GE(box.high[a], prisms.high[a] - rounding);
+                            ASSERT_GE(box.low[a], grown.low[a] - rounding);
+                            ASSERT_LE(box.high[a], grown.high[a] + rounding);
+                            exact += !all_grown && box.low[a] >= prisms.low[a] - rounding;
+                        }
+                    }
+                }
+                // Where a normal leans back prism() alone sees that nothing is taken off the plane.
+                EXPECT_GT(exact, !leans && thin == 1 ? 150 : -1);
+            }
+        }
     }
 }
 
