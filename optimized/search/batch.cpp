@@ -46,16 +46,15 @@ Retained Search::Batch::retained(int i) const {
     return r;
 }
 
-void Search::find(Batch& batch, const Rules& rules) const {
+void Search::decide(Batch& batch, const Rules& rules, bool projects) const {
     int last[Batch::part], open[Batch::room], left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
-    std::fill_n(batch.place, batch.count, -1);
     for (int first = 0; first < batch.count; first += Batch::part) {
-        left += recall(batch, first, last, open + left);
-        left += look_again(batch, first, last, rules, open + left);
+        left += recall(batch, first, last, open + left, projects);
+        left += look_again(batch, first, last, rules, open + left, projects);
     }
     // Those that no core holds: near a side they are asked of two, and only then of all.
     decide_pairs(batch, rules);
@@ -68,79 +67,125 @@ LandingPlace Search::Batch::from(int i) {
             {x[0] + i, x[1] + i, x[2] + i}};
 }
 
-int Search::recall(Batch& batch, int first, int* last, int* open) const {
+int Search::recall(Batch& batch, int first, int* last, int* open, bool projects) const {
     const int count = std::min(Batch::part, batch.count - first);
     const Memory* const memory = batch.memory + first;
-    Path* const path = batch.path + first;
-    long long within[Batch::part];
-    within_balls(memory, {batch.y[0] + first, batch.y[1] + first, batch.y[2] + first}, count, within);
+    Recalled recalled;
+    static_assert(Batch::part <= Recalled::room);
+    recalled.find(memory, {batch.y[0] + first, batch.y[1] + first, batch.y[2] + first}, count,
+                  batch.cores ? HUGE_VALF : shortened(small_ball_));
     // Without a branch: which of these a node is no processor can guess.
-    const float small = batch.cores ? HUGE_VALF : shortened(small_ball_);
+    const int looks = projects ? Recalled::held : Recalled::steady;
     Flags left;
-    int quiet = 0;
+    int quiet = 0, kept = 0;
     for (int j = 0; j < count; ++j) {
-        const float radius = memory[j].radius;
-        const int place = memory[j].place;
-        const bool in = within[j] != 0, asked = batch.asked[first + j];
-        const bool steady = in & (radius < 0), rests = asked & in & (radius > 0);
-        const bool looks = asked & (place >= 0) & !(radius > 0) & (steady | (-radius < small));
-        last[j] = looks ? place : -1;
-        path[j] = looks & steady ? Path::steady : (rests ? Path::quiet : Path::certified);
-        quiet += rests;
-        left.at[j] = asked & !rests & !looks;
-        tool_.prefetch_segment(segment_of(looks ? place : 0));
+        const int asked = batch.asked[first + j] ? -1 : 0;
+        const int what = recalled.what[j] & asked;
+        const int held = what > looks ? -1 : 0, looking = (what >= Recalled::core ? -1 : 0) & ~held;
+        last[j] = (recalled.place[j] & looking) | ~looking;
+        batch.place[first + j] = (recalled.place[j] & held) | ~held;
+        quiet += what == Recalled::quiet;
+        kept -= held;
+        recalled.what[j] = what;
+        left.at[j] = (what == Recalled::nothing) & (asked != 0);
     }
+    constexpr Path path[] = {Path::certified, Path::quiet, Path::certified, Path::steady, Path::steady};
+    for (int j = 0; j < count; ++j)
+        batch.path[first + j] = path[recalled.what[j]];
+    for (int j = 0; j < count && !projects; ++j)
+        batch.side[first + j] = memory[j].side();
+    for (int j = 0; j < count && projects; ++j)
+        tool_.prefetch_segment(segment_of(std::max(last[j], 0)));
     batch.tally.quiet += quiet;
+    batch.tally.steady += kept;
     return left.list(count, first, open);
 }
 
-int Search::look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const {
+double Search::least_weight(const Batch& batch, int i, int place) const {
+    return batch.path[i] == Path::steady ? taking : double(core(place));
+}
+
+void Search::land_in_place(Batch& batch, int first, int count, const int* last) const {
     LandingRows& rows = batch.rows;
-    const int count = std::min(Batch::part, batch.count - first);
-    const Path* const path = batch.path + first;
-    int any = -1;
+    int place[Batch::part], any = -1;
     for (int c = 0; c < count; ++c) {
+        place[c] = last[c];
+        any = std::max(any, last[c]);
         if (last[c] < 0) continue;
-        any = last[c];
         tool_.prefetch_corners(segment_of(last[c]));
-        rows.core[c] = path[c] == Path::steady ? taking : double(core(last[c]));
+        rows.core[c] = least_weight(batch, first + c, last[c]);
     }
-    if (any < 0) return 0;
-    // Nodes that do not look stand anywhere; what they get is not asked.
+    // Those that do not look stand anywhere, and what they get is not asked.
+    for (int c = 0; c < count; ++c)
+        place[c] = place[c] < 0 ? any : place[c];
     constexpr int group = Ahead::group;
     for (int c = 0; c < count; c += group) {
         if (batch.ahead != nullptr) batch.ahead->ask(batch.first + first + c);
-        int place[group];
-        for (int i = 0; i < group; ++i)
-            place[i] = c + i < count && last[c + i] >= 0 ? last[c + i] : any;
-        gather(rows, tool_, place, c, group, growth_);
+        gather(rows, tool_, place + c, c, std::min(group, count - c), growth_);
     }
     plain_landing(rows, batch.from(first), 0, count, landing_limits(batch.depth, batch.proximity));
-    Flags unsure;
-    int kept = 0, alone = 0;
+}
+
+void Search::land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const {
+    LandingRows& rows = batch.rows;
+    int place[Batch::part] = {};
     for (int c = 0; c < count; ++c) {
-        const bool looks = last[c] >= 0, steady = path[c] == Path::steady;
-        const bool takes = looks & (rows.certain[c] > 0), misses = looks & (rows.certain[c] < 0);
-        batch.place[first + c] = takes ? last[c] : -1;
-        batch.side[first + c] = batch.lift[first + c] > 0 ? 1 : -1;
+        const int i = first + nodes[c];
+        place[c] = last[nodes[c]];
+        for (int a = 0; a < 3; ++a)
+            rows.y[a][c] = batch.y[a][i];
+        rows.gap[c] = batch.gap[i];
+        rows.core[c] = least_weight(batch, i, place[c]);
+    }
+    gather(rows, tool_, place, 0, count, growth_);
+    plain_landing(rows, 0, count, landing_limits(batch.depth, batch.proximity));
+    for (int c = 0; c < count; ++c)
+        fill(batch, first + nodes[c], rows, c);
+}
+
+int Search::look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open, bool projects) const {
+    LandingRows& rows = batch.rows;
+    const int count = std::min(Batch::part, batch.count - first);
+    const Path* const path = batch.path + first;
+    Flags looks;
+    for (int j = 0; j < count; ++j)
+        looks.at[j] = last[j] >= 0;
+    int nodes[Batch::part] = {}, left = 0, kept = 0, alone = 0;
+    const int looking = looks.list(count, 0, nodes);
+    // A few are put side by side.
+    const bool in_place = looking > Batch::part / 3;
+    if (in_place) {
+        land_in_place(batch, first, count, last);
+    } else {
+        for (int j = 0; j < count && batch.ahead != nullptr; j += Ahead::group)
+            batch.ahead->ask(batch.first + first + j);
+        land_apart(batch, first, nodes, looking, last);
+    }
+    for (int k = 0; k < looking; ++k) {
+        const int j = nodes[k], c = in_place ? j : k, i = first + j;
+        const bool steady = path[j] == Path::steady, takes = rows.certain[c] > 0, misses = rows.certain[c] < 0;
+        batch.side[i] = batch.lift[i] > 0 ? 1 : -1;
+        if (takes) batch.place[i] = last[j];
         kept += steady & takes;
         alone += (takes | misses) & !steady;
-        // A ball tells who is retained, not that nothing is.
-        unsure.at[c] = looks & !takes & !(misses & !steady);
+        if (takes & (projects | !steady)) continue;
+        if (in_place) complete(batch, i, c);
+        if (takes) {
+            keep_held(batch, i, c);
+        } else if (steady) {
+            // A ball tells who is retained, not that nothing is.
+            open[left++] = i;
+        } else if (!misses && !over_corner(batch, i, c) && !pair_up(batch, i, c)) {
+            open[left++] = i;
+        }
+        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
     }
     batch.tally.steady += kept;
     batch.tally.certified += alone;
-    int nodes[Batch::part], left = 0;
-    const int looking = unsure.list(count, 0, nodes);
-    for (int j = 0; j < looking; ++j) {
-        const int c = nodes[j], i = first + c;
-        if (path[c] == Path::steady || !near_side(batch, i, c)) open[left++] = i;
-        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
-    }
     return left;
 }
 
-bool Search::near_side(Batch& batch, int i, int c) const {
+void Search::complete(Batch& batch, int i, int c) {
     LandingRows& rows = batch.rows;
     for (int a = 0; a < 3; ++a) {
         rows.y[a][c] = batch.y[a][i];
@@ -150,7 +195,13 @@ bool Search::near_side(Batch& batch, int i, int c) const {
     rows.b[c] = batch.b[i];
     rows.c[c] = batch.c[i];
     rows.lift[c] = batch.lift[i];
-    return over_corner(batch, i, c) || pair_up(batch, i, c);
+}
+
+void Search::keep_held(Batch& batch, int i, int c) const {
+    Memory& memory = batch.memory[i];
+    const double ball = holding_ball(batch.rows, c, batch.depth, memory.place);
+    // A smaller one would be gone in the next cycle, and the steady one with it.
+    if (ball > small_ball_ / 16) memory.keep_held(batch.point(i), ball, batch.side[i]);
 }
 
 void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {
@@ -191,11 +242,14 @@ void Search::land_one(const V3& y, const Window& window, int place, LandingRows&
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
     if (batch.memory != nullptr) {
-        batch.memory[i].place = place;
-        batch.memory[i].forget();
+        batch.memory[i].look_at(place);
     }
     batch.place[i] = place;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
+    fill(batch, i, rows, column);
+}
+
+void Search::fill(Batch& batch, int i, const LandingRows& rows, int column) {
     batch.b[i] = rows.b[column];
     batch.c[i] = rows.c[column];
     batch.lift[i] = rows.lift[column];

@@ -114,7 +114,8 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
             batch.place[pair.column] = pair.own;
             const double own = rate(pair.own);
             const double alone = ball(rows, j, stands, rate(pair.other), pair.kappa, own);
-            keep_steady(batch, pair.column, pair.own, std::min(std::min(pair.room / own, reach_of(own)), alone));
+            batch.memory[pair.column].keep_steady(pair.own, batch.point(pair.column),
+                                                  std::min(std::min(pair.room / own, reach_of(own)), alone));
         } else if (stands == Standing::taken && apart < -plain_share) {
             take(batch, pair.column, pair.other, rows, j);
         } else if (stands == Standing::taken && over_shared_side(batch, pair)) {
@@ -183,7 +184,7 @@ Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, c
     Found found{decider.retained([&](int s) { return tool_.segment(s); }), Path::paired};
     batch.memory[i].forget();
     use_plain_magnitudes(y, window, found.retained);
-    if (found.retained.segment >= 0) batch.memory[i].place = place_of(found.retained.segment, found.retained.piece);
+    if (found.retained.segment >= 0) batch.memory[i].look_at(place_of(found.retained.segment, found.retained.piece));
     return found;
 }
 

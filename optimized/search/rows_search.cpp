@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimized/decide/local_segment.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {
@@ -14,6 +15,26 @@ struct Near {
     int segment;
     double apart;
 };
+
+/// Largest distance of a landing over its height, of nodes whose weights of step 2 are >= -0.01: sqrt(1 + |s|^2) of
+/// rates.h.
+double longest_lift(const SegmentData& segment, int piece) {
+    constexpr double q = -weight_limit;
+    const PieceCorners of = piece_corners(segment.triangle, piece);
+    const LocalSegment local = local_segment(segment);
+    const V3 area = cross(local.corner[static_cast<size_t>(of.b)] - local.center,
+                          local.corner[static_cast<size_t>(of.c)] - local.center);
+    double least = HUGE_VAL, most = 0, lean = 0;
+    for (const V3& n :
+         {local.center_normal, segment.normal[static_cast<size_t>(of.b)], segment.normal[static_cast<size_t>(of.c)]}) {
+        const double slope = dot(n, area);
+        least = std::min(least, slope);
+        most = std::max(most, slope);
+        lean = std::max(lean, dot(n, n) * dot(area, area) / (slope * slope) - 1);
+    }
+    const double share = (1 + 4 * q) * most / ((1 + 2 * q) * least - 2 * q * most);
+    return std::sqrt(1 + share * share * lean) * (1 + 1e-5);
+}
 
 }  // namespace
 
@@ -165,7 +186,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     ++batch.tally.searched;
     const int place = batch.candidates[best].place;
     take(batch, i, place, rows, best);
-    if (remembers) keep_steady(batch, i, place, std::min(radius(), reach_of(rate(place))));
+    if (remembers) batch.memory[i].keep_steady(place, batch.point(i), std::min(radius(), reach_of(rate(place))));
     return true;
 }
 
@@ -173,16 +194,20 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
 /// prisms are asked
 void Search::keep_quiet(const Batch& batch, int i, double radius) const {
     Memory& memory = batch.memory[i];
-    memory.from = batch.point(i);
-    if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(memory.from, memory);
-    memory.radius = shortened(radius);
+    if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(batch.point(i), memory);
+    memory.keep_quiet(batch.point(i), radius);
 }
 
-void Search::keep_steady(const Batch& batch, int i, int place, double radius) const {
-    Memory& memory = batch.memory[i];
-    memory.place = place;
-    memory.from = batch.point(i);
-    memory.radius = -shortened(radius);
+double Search::holding_ball(const LandingRows& rows, int i, double depth, int place) const {
+    const double own = rate(place), size = rows.size[i], rounding = 3 * foreseen_share * size;
+    if (!(own < no_rate)) return 0;
+    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
+    const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
+    const double in_weights = (std::min(least, inner - weight_limit) - plain_share) / own;
+    const double length = std::sqrt(rows.square[i]), height = std::abs(rows.height[i]) / length;
+    const double reach = rows.height[i] > 0 ? rows.gap[i] : depth;
+    const double in_reach = reach / longest_lift(tool_.segment(segment_of(place)), piece_of(place)) - height;
+    return std::min(std::min(in_weights, reach_of(own)), std::min(height, in_reach) * (1 - 1e-9) - rounding);
 }
 
 void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers) const {

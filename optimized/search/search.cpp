@@ -90,7 +90,7 @@ void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memo
     found.retained = search(y, window, rules);
     memory.forget();
     if (found.retained.segment >= 0) {
-        memory.place = place_of(found.retained.segment, found.retained.piece);
+        memory.look_at(place_of(found.retained.segment, found.retained.piece));
         use_plain_magnitudes(y, window, found.retained);
         return;
     }
@@ -113,9 +113,7 @@ void Search::use_plain_magnitudes(const V3& y, const Window& window, Retained& r
 }
 
 void Search::keep_quiet(const V3& y, Memory& memory) const {
-    const double clear = clearance(y);
-    memory.from = y;
-    memory.radius = shortened(clear);
+    memory.keep_quiet(y, clearance(y));
 }
 
 bool Search::certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {

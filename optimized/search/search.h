@@ -78,6 +78,15 @@ struct ReachBoxRule {
 /// the node is needs that way. Both rates hold for rate_reach / rate. Near a side m2(T) leaves E alone to be asked,
 /// within (w - m2) / rate. Gaps are not part of this: a ball outlives their change.
 ///
+/// Held. Where T, foreseen, takes the node with weights w of step 2 and v of step 3 at a height h over its plane, it
+/// does so as contact, on the same side, for every node within r of it if
+///   r <= (w + 0.01) / rate, r <= v / rate: no weight leaves its limits, no point is clipped,
+///   r < |h|, for a height changes no faster than the node moves,
+///   r <= reach / l - |h|, l a bound on sqrt(1 + |s|^2): with Q = P - h (N^ + s) of rates.h that times |h| is the
+///   distance.
+/// Rates prove besides that <n, N> > 0 and W > 0 there. Where the steady ball holds the node, too, no projection is
+/// needed to know who is retained; where only that does, a projection tells, and r anew.
+///
 /// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
 /// can.
 class Search {
@@ -142,7 +151,10 @@ class Search {
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
     Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
     /// Asks for up to Batch::room nodes at once; the answers are those of find.
-    void find(Batch& batch, const Rules& rules) const;
+    void find(Batch& batch, const Rules& rules) const { decide(batch, rules, true); }
+    /// The same, but without numbers for nodes that are held: of these b, c, lift, n, x are not filled. Gaps and depth
+    /// must be no smaller than in the calls before.
+    void select(Batch& batch, const Rules& rules) const { decide(batch, rules, false); }
     struct Asked {
         V3 y;
         Window window;
@@ -158,6 +170,7 @@ class Search {
     size_t bytes() const;
 
   private:
+    void decide(Batch& batch, const Rules& rules, bool projects) const;
     /// What is known of one sub-triangle.
     struct Margins {
         std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
@@ -188,7 +201,10 @@ class Search {
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
     void keep_quiet(const V3& y, Memory& memory) const;
     void keep_quiet(const Batch& batch, int i, double radius) const;
-    void keep_steady(const Batch& batch, int i, int place, double radius) const;
+    /// Node i, steady in its place, in this column of the rows.
+    void keep_held(Batch& batch, int i, int column) const;
+    /// Within this of the node the place takes it as contact, on the same side; <= 0: not known.
+    double holding_ball(const LandingRows& rows, int column, double depth, int place) const;
     void ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const;
     LandingLimits landing_limits(double depth, double proximity) const;
     /// Where a node is, and whether the place is foreseen.
@@ -197,12 +213,19 @@ class Search {
     void use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const;
     /// Nodes of the part that begins at `first` where they were last. @param last  place for each node of the part; -1:
     /// it does not look   @param open  filled with those that are left   @return how many are left
-    int look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open) const;
-    /// Node i, which its place neither surely takes nor rejects, in this column of the rows: does a corner decide it, or
-    /// is it one of a pair?
-    bool near_side(Batch& batch, int i, int column) const;
+    int look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open, bool projects) const;
+    /// All of a part, each in the column of its number.
+    void land_in_place(Batch& batch, int first, int count, const int* last) const;
+    /// These of a part, one column after the other.
+    void land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const;
+    /// With what weights a place decides alone.
+    double least_weight(const Batch& batch, int i, int place) const;
+    /// The impact of node i from this column.
+    static void fill(Batch& batch, int i, const LandingRows& rows, int column);
+    /// The numbers of node i into this column of the rows, which hold the others of its projection.
+    static void complete(Batch& batch, int i, int column);
     /// What nodes remember: those that are quiet are, and others have a place to look. @param last, open  likewise
-    int recall(Batch& batch, int first, int* last, int* open) const;
+    int recall(Batch& batch, int first, int* last, int* open, bool projects) const;
     /// Does node i, in this column of the rows, lie exactly above a corner where its place leads? Then it is decided.
     bool over_corner(Batch& batch, int i, int column) const;
     /// Proven: the two of a pair that both take the node are tied.

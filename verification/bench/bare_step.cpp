@@ -118,7 +118,10 @@ void BareStep::run(const Motion& motion) {
         to_tool_frame(batch, batch.count, shared);
         keep(batch);
         if constexpr (until == Until::transform) continue;
-        laws_->search->find(batch, laws_->rules);
+        if constexpr (until == Until::decide)
+            laws_->search->select(batch, laws_->rules);
+        else
+            laws_->search->find(batch, laws_->rules);
         tally_.add(batch.tally);
         if constexpr (until == Until::decide) {
             std::memcpy(retained_.data() + first, batch.place, static_cast<size_t>(batch.count) * sizeof(int));

@@ -166,6 +166,84 @@ TEST(Balls, HoldWhatIsRetained) {
     EXPECT_GT(pairs, 500);
 }
 
+TEST(Balls, TellWhoIsHeldWithoutAProjection) {
+    std::mt19937_64 random(16);
+    const Rules rules;
+    auto batch = std::make_unique<Search::Batch>();
+    batch->cores = false;
+    int held = 0, nearly_out = 0;
+    for (const Tool& tool : ball_tools()) {
+        const Search search(tool, {reach, reach, 0.01, false}, {});
+        for (int round = 0; round < 12; ++round) {
+            const double gap = round % 2 == 0 ? 0.9 * reach : 0.4 * reach, depth = round % 3 == 0 ? 0.3 * reach : reach;
+            std::vector<V3> y;
+            for (int i = 0; i < Search::Batch::room; ++i)
+                y.push_back(somewhere_over(tool, random));
+            std::vector<Memory> memory(y.size());
+            put(y, gap, *batch, &memory);
+            batch->depth = depth;
+            search.find(*batch, rules);
+            search.select(*batch, rules);
+            for (const Memory& one : memory) {
+                if (one.held == 0) continue;
+                ++held;
+                ASSERT_LE(std::abs(one.held), -one.radius);
+                for (int k = 0; k < 24; ++k) {
+                    const V3 there = one.from + direction(random) * (0.999999 * std::abs(double(one.held)));
+                    ASSERT_TRUE(one.within_held(there));
+                    const Retained found = search.search(there, {gap, depth, 0}, rules);
+                    ASSERT_GE(found.segment, 0) << there.x << " " << there.y << " " << there.z;
+                    ASSERT_EQ(place_of(found.segment, found.piece), one.place);
+                    ASSERT_EQ(found.landing.side, one.side());
+                    ASSERT_EQ(found.landing.kind, Kind::contact);
+                    const Landing& l = found.landing;
+                    const double least = std::min(1 - l.b - l.c, std::min(l.b, l.c));
+                    nearly_out += least < 1e-3 || std::abs(l.lift) < 1e-3 * reach ||
+                                  std::abs(l.lift) * norm(l.normal) > 0.98 * (l.side > 0 ? gap : depth);
+                }
+            }
+        }
+    }
+    EXPECT_GT(held, 2000);
+    EXPECT_GT(nearly_out, 200);
+}
+
+TEST(Balls, SelectWhatTheSearchFindsAlongAWay) {
+    std::mt19937_64 random(17);
+    const Rules rules;
+    auto batch = std::make_unique<Search::Batch>(), other = std::make_unique<Search::Batch>();
+    long steady = 0;
+    for (const Tool& tool : ball_tools()) {
+        const Search search(tool, {reach, reach, 0.01, false}, {});
+        for (const bool cores : {false, true}) {
+            std::vector<V3> y, way;
+            for (int i = 0; i < 200; ++i) {
+                y.push_back(somewhere_over(tool, random));
+                way.push_back(direction(random) * (0.002 * reach * static_cast<double>(1 + i % 9)));
+            }
+            std::vector<Memory> memory(y.size());
+            for (int cycle = 0; cycle < 60; ++cycle) {
+                batch->cores = cores;
+                put(y, 0.8 * reach, *batch, &memory);
+                put(y, 0.8 * reach, *other, nullptr);
+                // Steps in between are those of a run.
+                cycle % 7 == 3 ? search.find(*batch, rules) : search.select(*batch, rules);
+                search.search(*other, rules);
+                steady += batch->tally.steady;
+                for (int i = 0; i < batch->count; ++i) {
+                    ASSERT_EQ(batch->place[i], other->place[i]) << cycle << " " << i;
+                    if (batch->place[i] < 0) continue;
+                    ASSERT_EQ(batch->side[i], other->side[i]);
+                    ASSERT_EQ(batch->kind[i], other->kind[i]);
+                }
+                for (size_t i = 0; i < y.size(); ++i)
+                    y[i] = y[i] + way[i];
+            }
+        }
+    }
+    EXPECT_GT(steady, 20000);
+}
+
 TEST(Balls, AreUsedWhileTheNodeStays) {
     const Tool tool = ball_tools()[1];
     const Search search(tool, {reach, reach, 0.01, false}, {});
@@ -219,7 +297,7 @@ TEST(ManyAtOnce, ClipWeightsAboveOne) {
     const V3 y{1.00002, 0.302994, 0.0005};
     for (const double gap : {0.0104, 0.010385, 0.01038, 0.0103}) {
         std::vector<Memory> memory(1);
-        memory[0].place = 0;
+        memory[0].look_at(0);
         for (const bool remembers : {false, true}) {
             put({y}, gap, *batch, remembers ? &memory : nullptr);
             batch->depth = 0.0104;

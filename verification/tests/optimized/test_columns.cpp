@@ -74,24 +74,34 @@ TEST_P(Columns, TurnWhatIsChosen) {
 TEST_P(Columns, BallsHoldWhatEachHolds) {
     std::mt19937 random(6);
     std::normal_distribution<double> number;
+    std::array<int, 5> met{};
     for (int count = 0; count <= room; ++count) {
         std::vector<Memory> memory(room);
         for (int j = 0; j < room; ++j) {
             Memory& one = memory[static_cast<size_t>(j)];
+            one.place = static_cast<int>(random() % 5) - 1;
             one.from = {number(random), number(random), number(random)};
             one.radius = random() % 5 == 0 ? 0.0F : static_cast<float>(number(random));
+            one.held = random() % 3 == 0 ? 0.0F : 0.7F * static_cast<float>(number(random));
             for (int a = 0; a < 3; ++a)
                 rows_[static_cast<size_t>(a)][static_cast<size_t>(j)] = one.from[a] + 0.5 * number(random);
         }
-        std::vector<long long> within(room, 5);
-        within_balls(memory.data(), {rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, within.data(),
-                     GetParam());
-        for (int j = 0; j < room; ++j) {
+        const float small = count % 4 == 0 ? HUGE_VALF : 0.1F * static_cast<float>(count % 4);
+        Recalled found;
+        std::fill_n(found.what, Recalled::room, 5);
+        found.find(memory.data(), {rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, small, GetParam());
+        for (int j = 0; j < count; ++j) {
             const auto i = static_cast<size_t>(j);
-            const bool holds = memory[i].within({rows_[0][i], rows_[1][i], rows_[2][i]});
-            ASSERT_EQ(within[i], j >= count ? 5 : (holds ? -1 : 0)) << count << " " << j;
+            const int what = Recalled::of(memory[i], {rows_[0][i], rows_[1][i], rows_[2][i]}, small);
+            ASSERT_EQ(found.what[j], what) << count << " " << j;
+            ASSERT_EQ(found.place[j], memory[i].place);
+            ++met[static_cast<size_t>(what)];
         }
+        for (int j = count; j < room; ++j)
+            ASSERT_EQ(found.what[j], 5);
     }
+    for (const int times : met)
+        EXPECT_GT(times, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Machines, Columns, ::testing::Values(Machine::two, Machine::four, Machine::eight),

@@ -76,7 +76,7 @@ TEST(Pairs, DecideAsTheTreeDoes) {
                     batch->y[a][i] = y[a];
                 batch->gap[i] = window.gap;
                 memory[static_cast<size_t>(i)] = {};
-                if (random() % 16 != 0) memory[static_cast<size_t>(i)].place = place_of(segment, piece);
+                if (random() % 16 != 0) memory[static_cast<size_t>(i)].look_at(place_of(segment, piece));
                 batch->asked[i] = true;
             }
             search.find(*batch, rules);

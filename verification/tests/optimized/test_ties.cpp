@@ -125,7 +125,7 @@ TEST(Ties, ARememberedPlaceThatDoesNotLeadIsLeft) {
         const V3 y{1 + u, 2 + v, 0.125};
         for (int place = 0; place < 4 * tool.size(); ++place) {
             Memory memory;
-            memory.place = place;
+            memory.look_at(place);
             Search::Asked asked{y, window, &memory};
             Search::Found found;
             search.find(&asked, 1, {}, &found);
