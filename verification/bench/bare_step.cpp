@@ -118,12 +118,12 @@ void BareStep::run(const Motion& motion) {
         to_tool_frame(batch, batch.count, shared);
         keep(batch);
         if constexpr (until == Until::transform) continue;
-        if constexpr (until == Until::decide)
+        if constexpr (until == Until::select)
             laws_->search->select(batch, laws_->rules);
         else
             laws_->search->find(batch, laws_->rules);
         tally_.add(batch.tally);
-        if constexpr (until == Until::decide) {
+        if constexpr (until == Until::select || until == Until::decide) {
             std::memcpy(retained_.data() + first, batch.place, static_cast<size_t>(batch.count) * sizeof(int));
             std::memcpy(side_.data() + first, batch.side, static_cast<size_t>(batch.count));
             continue;
@@ -174,6 +174,7 @@ void BareStep::run(const Motion& motion) {
 template <bool rubbing>
 void BareStep::dispatch(const Motion& motion, Until until, Sums sums) {
     if (until == Until::transform) return run<rubbing, Until::transform, Sums::exact>(motion);
+    if (until == Until::select) return run<rubbing, Until::select, Sums::exact>(motion);
     if (until == Until::decide) return run<rubbing, Until::decide, Sums::exact>(motion);
     if (until == Until::look) return run<rubbing, Until::look, Sums::exact>(motion);
     if (until == Until::force) return run<rubbing, Until::force, Sums::exact>(motion);

@@ -16,8 +16,8 @@ namespace type21::bench {
 
 class BareStep {
   public:
-    /// `look` is `decide` and tells how the decisions came about.
-    enum class Until { transform, decide, look, force, sum };
+    /// `select` knows who is retained, `decide` where, too; `look` is `decide` and tells how the decisions came about.
+    enum class Until { transform, select, decide, look, force, sum };
     enum class Sums { exact, plain };
 
     /// @param rubbing  damping and friction of the card; otherwise it is elastic
@@ -31,7 +31,7 @@ class BareStep {
 
     const optimized::Laws& laws() const { return *laws_; }
     const optimized::Search& search() const { return *laws_->search; }
-    /// What the last cycle until `decide` retained.
+    /// What the last cycle until `select` or `decide` retained.
     std::vector<Decision> decisions() const;
     /// Where the nodes were in the last cycle until `look`, in the tool frame.
     const std::vector<optimized::V3>& place() const { return place_; }

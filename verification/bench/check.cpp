@@ -5,6 +5,7 @@
 
 #include "optimized/contact.h"
 #include "reference/contact/contact.h"
+#include "verification/bench/bare_step.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/truth.h"
 #include "verification/decide/decision_text.h"
@@ -50,16 +51,22 @@ void compare(CheckPart& part, const BenchScene& scene, size_t i, int cycle, cons
 }  // namespace
 
 CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& make) {
-    CheckPart part{scene.name + ", step against exact decisions", 0, 0, {}};
+    CheckPart part{scene.name + ", step and selection against exact decisions", 0, 0, {}};
     const Truth exact(scene);
     const auto contact = (make ? make : contact_maker("optimized"))(scene.scene, scene.interface);
+    BareStep bare(scene, true);
     Wander wander;
     while (part.decisions < count) {
         const Motion motion = wander.next(scene);
-        const std::vector<Decision> truth = exact.at(motion, static_cast<size_t>(count - part.decisions));
+        const std::vector<Decision> truth = exact.at(motion, static_cast<size_t>((count - part.decisions + 1) / 2));
         const ContactStep step = contact->step(motion);
-        for (size_t i = 0; i < truth.size(); ++i)
+        // Two of three cycles without projections, as balls make them; the third with.
+        bare.step(motion, wander.cycle % 3 == 0 ? BareStep::Until::decide : BareStep::Until::select);
+        const std::vector<Decision> selected = bare.decisions();
+        for (size_t i = 0; i < truth.size(); ++i) {
             compare(part, scene, i, wander.cycle, step.nodes[i].decision, truth[i]);
+            compare(part, scene, i, wander.cycle, selected[i], truth[i]);
+        }
     }
     return part;
 }

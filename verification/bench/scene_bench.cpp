@@ -84,11 +84,15 @@ void SceneBench::add_product() {
         place_.push_back(
             optimized::from(pose.rotation.transpose() * (motion.position[static_cast<size_t>(node)] - pose.position)));
     if (!generated()) return;
-    // A step that stops when it knows what each node touches.
-    select_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::decide);
+    // Steps that stop when they know what each node touches, and where.
+    select_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::select);
+    project_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::decide);
     select_->settle();
+    project_->settle();
     rounds_.add(
         select, [&] { return select_->next(); }, effort_.cycles);
+    rounds_.add(
+        project, [&] { return project_->next(); }, effort_.cycles);
     found_.resize(place_.size());
     const std::span<const optimized::V3> place(place_);
     const std::span<Decision> found(found_);
@@ -180,6 +184,7 @@ void SceneBench::run() {
     judge();
     add_ratio("reference step / coherent step", reference_step, coherent);
     add_ratio("Embree's full search / coherent selection", embree, select);
+    add_ratio("Embree's full search / coherent selection and projection", embree, project);
     add_ratio("Embree's full search / coherent step", embree, coherent);
     add_ratio("Embree's full search / full search", embree, full);
     add_ratio("CGAL's full search in double / full search", cgal, full);

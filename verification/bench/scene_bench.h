@@ -20,6 +20,7 @@ namespace type21::bench {
 /// "implementation, method" of the rows.
 namespace method {
 inline const std::string coherent = "optimized, coherent step", select = "optimized, coherent selection",
+                         project = "optimized, coherent selection and projection",
                          whole = "optimized, coherent step with the report", full = "optimized, full search",
                          plain = "plain double, full search", reference_step = "reference, step",
                          embree = "Embree, point query with double callback",
@@ -73,7 +74,7 @@ class SceneBench {
     ContactRun run_;
     std::unique_ptr<optimized::Laws> laws_;
     std::vector<optimized::V3> place_;
-    std::unique_ptr<BareRun> select_;
+    std::unique_ptr<BareRun> select_, project_;
     std::unique_ptr<FullSearch> full_;
     std::unique_ptr<PlainSearch> plain_;
     std::vector<Decision> found_;

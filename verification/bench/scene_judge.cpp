@@ -38,8 +38,8 @@ void SceneBench::judge() {
     const long n = static_cast<long>(place_.size());
     std::vector<Decision> truth;
     std::array<long, 4> settled{};
-    long step_decisions = n, step_wrong = 0, select_wrong = 0, full_wrong = 0, plain_wrong = 0, list_wrong = 0,
-         in_contact = 0;
+    long step_decisions = n, step_wrong = 0, select_wrong = 0, project_wrong = 0, full_wrong = 0, plain_wrong = 0,
+         list_wrong = 0, in_contact = 0;
     if (generated()) {
         tbb::task_arena several(options_.threads.back());
         truth = several.execute([&] { return Truth(scene_).at(scene_.motion(0)); });
@@ -52,8 +52,9 @@ void SceneBench::judge() {
         if (list_) list_->search(scene_.motion(0));
         Motion later = scene_.motion(0);
         later.time = 1;  // time 0 has a way of its own
-        select_->bare.step(later, BareStep::Until::decide);
-        const std::vector<Decision> selected = select_->bare.decisions();
+        select_->bare.step(later, BareStep::Until::select);
+        project_->bare.step(later, BareStep::Until::decide);
+        const std::vector<Decision> selected = select_->bare.decisions(), projected = project_->bare.decisions();
         FullSearch fresh(*laws_);
         std::vector<Decision> full_found(place_.size()), plain_found(place_.size());
         fresh.at(place_, gaps(), full_found);
@@ -61,6 +62,7 @@ void SceneBench::judge() {
         plain_->at(place_, gaps(), scene_.card().depth, plain_found);
         for (size_t i = 0; i < truth.size(); ++i) {
             select_wrong += !same(selected[i], truth[i]);
+            project_wrong += !same(projected[i], truth[i]);
             full_wrong += !same(full_found[i], truth[i]);
             plain_wrong += !same(plain_found[i], truth[i]);
             if (!list_) continue;
@@ -83,7 +85,8 @@ void SceneBench::judge() {
             run_.has_lean() ? "" : "this scene has no lean step: the whole one");
     add_row(whole, "impact and forces", true, step_decisions, step_wrong);
     if (generated()) {
-        add_row(select, "impact", true, n, select_wrong);
+        add_row(select, "who is retained", true, n, select_wrong);
+        add_row(project, "impact", true, n, project_wrong);
         add_row(full, "impact", false, n, full_wrong);
         add_row(plain, "impact", false, n, plain_wrong);
     }
