@@ -1,27 +1,51 @@
 #include "optimized/machine.h"
 
+#include <algorithm>
+#include <atomic>
+
 namespace type21::optimized {
 
-#if defined(__GNUC__) && defined(__x86_64__)
-Machine this_machine() {
-    static const Machine found = __builtin_cpu_supports("avx512f") ? Machine::eight
-                                 : __builtin_cpu_supports("avx2")  ? Machine::four
-                                                                   : Machine::two;
-    return found;
-}
+namespace {
 
-bool has_fma() {
-    static const bool found = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    return found;
+#if defined(__GNUC__) && defined(__x86_64__)
+Machine widest() {
+    if (__builtin_cpu_supports("avx512f")) return Machine::eight;
+    return __builtin_cpu_supports("avx2") ? Machine::four : Machine::two;
+}
+bool fused() {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 #else
-Machine this_machine() {
+Machine widest() {
     return Machine::two;
 }
-
-bool has_fma() {
+bool fused() {
     return false;
 }
 #endif
+
+std::atomic<Machine>& used() {
+    static std::atomic<Machine> machine{widest()};
+    return machine;
+}
+
+}  // namespace
+
+Machine this_machine() {
+    return used().load(std::memory_order_relaxed);
+}
+
+bool has_fma() {
+    static const bool found = fused();
+    return found && this_machine() != Machine::two;
+}
+
+Narrowed::Narrowed(Machine machine) {
+    used() = std::min(machine, widest());
+}
+
+Narrowed::~Narrowed() {
+    used() = widest();
+}
 
 }  // namespace type21::optimized

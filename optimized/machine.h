@@ -18,9 +18,18 @@ namespace type21::optimized {
 /// operation is that of one double and nothing is contracted: each gives the same bits.
 enum class Machine { two = 2, four = 4, eight = 8 };
 
-/// The widest that this processor has.
+/// The widest that this processor has; while a Narrowed lives, that.
 Machine this_machine();
 /// Has it a fused multiply-add? Used for exact products only, which are the same with and without it.
 bool has_fma();
+
+/// Registers no wider than these, so that one processor can show what others compute. Not while others compute.
+class Narrowed {
+  public:
+    explicit Narrowed(Machine machine);
+    ~Narrowed();
+    Narrowed(const Narrowed&) = delete;
+    Narrowed& operator=(const Narrowed&) = delete;
+};
 
 }  // namespace type21::optimized

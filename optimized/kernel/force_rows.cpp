@@ -245,9 +245,11 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
 
 template <unsigned Effects, int W>
 TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
-    for (int j = 0; j < f.count; j += W)
+    // Narrow registers, too, go as far as the sums do: there the terms of an earlier block may stand.
+    const int columns = whole_registers(f.count);
+    for (int j = 0; j < columns; j += W)
         act<Effects, W>(c, at, f, j, block);
-    block.resize(whole_registers(f.count));
+    block.resize(columns);
 }
 
 template <unsigned Effects>

@@ -222,6 +222,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
     Search::Batch& batch = *work.batch;
     batch.depth = laws.card->depth;
     batch.proximity = laws.proximity;
+    batch.ahead = nullptr;  // an exception may have left one
     for (int start = first; start < last; start += Search::Batch::room) {
         // Where nodes are and what they touch (sections 1, 3, 4). The transform is written as the formulation has it:
         // its rounding is part of the position that decisions are exact for.

@@ -200,8 +200,9 @@ void Search::complete(Batch& batch, int i, int c) {
 void Search::keep_held(Batch& batch, int i, int c) const {
     Memory& memory = batch.memory[i];
     const double ball = holding_ball(batch.rows, c, batch.depth, memory.place);
-    // A smaller one would be gone in the next cycle, and the steady one with it.
-    if (ball > small_ball_ / 16) memory.keep_held(batch.point(i), ball, batch.side[i]);
+    // A smaller one would soon be gone, and the steady one with it.
+    if (std::min(ball, memory.left_at(batch.point(i))) > small_ball_ / 16)
+        memory.keep_held(batch.point(i), ball, batch.side[i]);
 }
 
 void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {
@@ -215,8 +216,9 @@ void Search::find(const Asked* asked, int count, const Rules& rules, Found* foun
         batch->y[1][0] = asked[i].y.y;
         batch->y[2][0] = asked[i].y.z;
         batch->gap[0] = asked[i].window.gap;
-        batch->memory = asked[i].memory;
-        batch->asked[0] = asked[i].memory != nullptr;
+        Memory none;
+        batch->memory = asked[i].memory != nullptr ? asked[i].memory : &none;
+        batch->asked[0] = true;
         find(*batch, rules);
         found[i] = {batch->retained(0), batch->path[0]};
     }

@@ -39,9 +39,11 @@ struct Memory {
         radius = shortened(ball);
         held = 0;
     }
+    /// How far it is from there to the rim of the steady ball [length]
+    double left_at(const V3& y) const { return -double(radius) - norm(y - from) * (1 + 1e-9); }
     /// In the steady ball around another middle that lies in it.
     void keep_held(const V3& at, double ball, int on_side) {
-        const double left = -double(radius) - norm(at - from) * (1 + 1e-9);
+        const double left = left_at(at);
         from = at;
         radius = -shortened(left);
         held = shortened(std::min(ball, left)) * static_cast<float>(on_side);

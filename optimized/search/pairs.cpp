@@ -130,6 +130,10 @@ void Search::decide_pairs(Batch& batch, const Rules& rules) const {
     }
 }
 
+double Search::fine_bound(int place) const {
+    return std::ldexp(fine_share, -int(kappa_bits_[static_cast<size_t>(segment_of(place))]));
+}
+
 void Search::decide_close(Batch& batch, const Rules& rules) const {
     LandingRows& rows = batch.others;
     FineKappaRows& fine = batch.fine;
@@ -151,9 +155,10 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
             const int own = 2 * j, other = own + 1;
             const double apart =
                 (TwoDoubles(fine.high[other], fine.low[other]) - TwoDoubles(fine.high[own], fine.low[own])).high;
-            if (apart > 3 * fine_kappa_share) {
+            const double unsure = 1.001 * (fine_bound(pair.own) + fine_bound(pair.other));
+            if (apart > unsure) {
                 batch.place[pair.column] = pair.own;
-            } else if (apart < -3 * fine_kappa_share) {
+            } else if (apart < -unsure) {
                 LandingRows& landed = batch.partners;
                 ask_at(landed, 0, pair.other, batch.point(pair.column), batch.gap[pair.column]);
                 gather(landed, tool_, &pair.other, 0, 1, growth_);

@@ -20,7 +20,7 @@ struct Rows {
     alignas(64) double edge[2][3][group];    ///< B - A, C - A [length]
     alignas(64) double normal[3][3][group];  ///< n_A, n_B, n_C [-]
     alignas(64) double extent[group], normal_size[group];
-    alignas(64) double rate[group];  ///< found
+    alignas(64) double rate[group], kappa_bound[group];  ///< found; the latter where it is foreseen
     int place[group];
 };
 
@@ -52,7 +52,7 @@ struct Piece {
 /// filter() calls second order, and for the rounding of the bounds themselves.
 /// Conditions are counted: GCC takes apart what joins several comparisons.
 template <class L>
-TYPE21_INLINE void foreseen(const Piece<L>& t, const L& extent, const L& nm, double growth, L& met) {
+TYPE21_INLINE void foreseen(const Piece<L>& t, const L& extent, const L& nm, double growth, L& met, L& kappa_bound) {
     constexpr double e = 0x1p-53, more = 1.05, ordinary = 1e30;
     const L zero = extent - extent, one = zero + 1.0;
     const L s = extent + 1.5 * growth;
@@ -109,6 +109,7 @@ TYPE21_INLINE void foreseen(const Piece<L>& t, const L& extent, const L& nm, dou
                       more;
     // delta = lift |n|, |n| <= 2 nm, its error 3.3 db nm and rounding.
     const L distance_bound = (lift_bound * 2.0 * nm + lift * nm * (6.0 * db + 20 * e)) * more;
+    kappa_bound = 4.1 * q_bound + 12.0 * e;
     met += 3.0 * q_bound < foreseen_share ? one : zero;
     met += distance_bound < foreseen_share * s ? one : zero;
     met += height_bound < foreseen_share * s * area_size ? one : zero;
@@ -163,7 +164,7 @@ template <int W>
 TYPE21_INLINE void rates_in(Rows& rows, int at, double growth) {
     using L = Lanes<W>;
     Piece<L> t;
-    L extent, normal_size, met, rate, other;
+    L extent, normal_size, met, rate, kappa_bound, other;
     load(rows.edge[0][0] + at, rows.edge[0][1] + at, rows.edge[0][2] + at, t.e1);
     load(rows.edge[1][0] + at, rows.edge[1][1] + at, rows.edge[1][2] + at, t.e2);
     load(rows.extent + at, extent);
@@ -182,10 +183,11 @@ TYPE21_INLINE void rates_in(Rows& rows, int at, double growth) {
         least_of(t.slope[i], t.least_slope);
         most_of(other, t.most_slope);
     }
-    foreseen(t, extent, normal_size, growth, met);
+    foreseen(t, extent, normal_size, growth, met, kappa_bound);
     rate_of(t, extent, growth, rate);
     const L zero = extent - extent;
     store(met == all_foreseen ? rate : zero + HUGE_VAL, rows.rate + at);
+    store(kappa_bound, rows.kappa_bound + at);
 }
 
 template <int W>
@@ -220,16 +222,23 @@ void put(Rows& rows, int column, const SegmentData& segment, const LocalSegment&
 
 }  // namespace
 
-std::vector<float> weight_rates(const Tool& tool, double growth, Machine machine) {
-    std::vector<float> rates(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
+PieceBounds piece_bounds(const Tool& tool, double growth, Machine machine) {
+    PieceBounds bounds;
+    bounds.rate.assign(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
+    bounds.kappa_bits.assign(static_cast<size_t>(tool.size()), 255);
     const auto compute = machine == Machine::eight ? rates_eight : (machine == Machine::four ? rates_four : rates_two);
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
         Rows rows{};
         int column = 0;
         const auto flush = [&] {
             compute(rows, growth);
-            for (int c = 0; c < column; ++c)
-                rates[static_cast<size_t>(rows.place[c])] = std::nextafter(static_cast<float>(rows.rate[c]), HUGE_VALF);
+            for (int c = 0; c < column; ++c) {
+                bounds.rate[static_cast<size_t>(rows.place[c])] =
+                    std::nextafter(static_cast<float>(rows.rate[c]), HUGE_VALF);
+                if (!std::isfinite(rows.rate[c])) continue;
+                std::uint8_t& bits = bounds.kappa_bits[static_cast<size_t>(segment_of(rows.place[c]))];
+                bits = static_cast<std::uint8_t>(std::clamp(-std::ilogb(rows.kappa_bound[c]) - 1, 0, int(bits)));
+            }
             column = 0;
         };
         for (int s = range.begin(); s < range.end(); ++s) {
@@ -244,7 +253,7 @@ std::vector<float> weight_rates(const Tool& tool, double growth, Machine machine
         }
         flush();
     });
-    return rates;
+    return bounds;
 }
 
 }  // namespace type21::optimized

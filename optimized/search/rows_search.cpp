@@ -58,7 +58,7 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
 }
 
 /// Which of these foreseen columns has the least kappa in 100 bits, -1: that does not tell.
-int Search::least_fine_kappa(Batch& batch, const int* columns, int count) {
+int Search::least_fine_kappa(Batch& batch, const int* columns, int count) const {
     LandingRows& told = batch.partners;
     const LandingRows& rows = batch.others;
     for (int j = 0; j < count; ++j) {
@@ -77,8 +77,9 @@ int Search::least_fine_kappa(Batch& batch, const int* columns, int count) {
     int best = 0;
     for (int j = 1; j < count; ++j)
         if ((kappa(j) - kappa(best)).high < 0) best = j;
+    const auto bound = [&](int j) { return fine_bound(batch.candidates[columns[j]].place); };
     for (int j = 0; j < count; ++j)
-        if (j != best && !((kappa(j) - kappa(best)).high > 3 * fine_kappa_share)) return -1;
+        if (j != best && !((kappa(j) - kappa(best)).high > 1.001 * (bound(j) + bound(best)))) return -1;
     return best;
 }
 

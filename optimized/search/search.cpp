@@ -50,17 +50,18 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
     small_ball_ = usual_ball_ / 16;
     tree_ = BoxTree(boxes);
     shift_ = tool.triangles_only() ? 2 : 0;
-    const std::vector<float> rates = weight_rates(tool, growth_);
-    margins_ = std::vector<Margins>(rates.size() >> shift_);
+    PieceBounds bounds = piece_bounds(tool, growth_);
+    kappa_bits_ = std::move(bounds.kappa_bits);
+    margins_ = std::vector<Margins>(bounds.rate.size() >> shift_);
     for (size_t i = 0; i < margins_.size(); ++i) {
         margins_[i].alone.store(unknown, std::memory_order_relaxed);
-        margins_[i].rate = rates[i << shift_];
+        margins_[i].rate = bounds.rate[i << shift_];
     }
 }
 
 size_t Search::bytes() const {
     return tree_.bytes() + margins_.capacity() * sizeof(margins_[0]) + over_.capacity() * sizeof(over_[0]) +
-           leads_.capacity() * sizeof(leads_[0]);
+           leads_.capacity() * sizeof(leads_[0]) + kappa_bits_.capacity();
 }
 
 Retained Search::search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes) const {

@@ -158,7 +158,7 @@ class Search {
     struct Asked {
         V3 y;
         Window window;
-        Memory* memory = nullptr;
+        Memory* memory = nullptr;  ///< nullptr: nothing is remembered
     };
     void find(const Asked* asked, int count, const Rules& rules, Found* found) const;
     /// The same of all nodes of a batch, without what they remember: the memory is taken away from them.
@@ -259,7 +259,9 @@ class Search {
     /// Lands what candidates there are, and decides the nodes whose candidates are there.
     void decide_candidates(Batch& batch, const Rules& rules, bool remembers) const;
     bool decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const;
-    static int least_fine_kappa(Batch& batch, const int* columns, int count);
+    int least_fine_kappa(Batch& batch, const int* columns, int count) const;
+    /// What kappa of fine_landing may be off by on this place, which is foreseen.
+    double fine_bound(int place) const;
     Retained tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
     Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
     void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
@@ -276,6 +278,7 @@ class Search {
     double small_ball_;                     ///< nodes with smaller ones ask for cores and pairs [length]
     int shift_ = 0;                         ///< 2 where there are triangles only, and one place for a segment
     mutable std::vector<Margins> margins_;  ///< of places; alone < 0: not known yet
+    std::vector<std::uint8_t> kappa_bits_;  ///< @see PieceBounds
     /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.
     mutable std::vector<std::atomic<int>> over_;

@@ -1,4 +1,4 @@
-// Any number of threads, and the lean step, give the same bits.
+// Any number of threads, any width of registers, and the lean step, give the same bits.
 #include <cstring>
 #include <random>
 #include <tbb/global_control.h>
@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "optimized/contact.h"
+#include "optimized/machine.h"
 #include "reference/host/march.h"
 
 namespace type21 {
@@ -61,6 +62,22 @@ TEST(Threads, SameBitsForAnyNumber) {
             const std::vector<double> many = history(scene, threads);
             ASSERT_EQ(one.size(), many.size());
             EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(double)), 0) << name << " " << threads;
+        }
+    }
+}
+
+TEST(Registers, SameBitsForAnyWidth) {
+    for (const char* name : {"rotating_tool", "therm_form1_heat", "cylinder_slide_mixed", "friction_pairs",
+                             "igap2_pmax_itlim0", "skid_line", "ibc"}) {
+        const Scene scene = scene_of(name);
+        const std::vector<double> usual = history(scene, 1);
+        ASSERT_FALSE(usual.empty());
+        for (const optimized::Machine machine : {optimized::Machine::four, optimized::Machine::two}) {
+            const optimized::Narrowed narrow(machine);
+            const std::vector<double> numbers = history(scene, 1);
+            ASSERT_EQ(numbers.size(), usual.size());
+            EXPECT_EQ(std::memcmp(numbers.data(), usual.data(), usual.size() * sizeof(double)), 0)
+                << name << " " << static_cast<int>(machine);
         }
     }
 }
