@@ -44,7 +44,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         total.add(w.sums);
         cycle_paths.add(w.tally);
     }
-    asked_again.add(cycle_paths, count);
+    asked_again.add(cycle_paths, count, laws.search->places());
     counts.add(cycle_paths);
     counts.nodes += count;
     if (lanes && !laws.has(effect::friction)) total.without_friction();

@@ -243,9 +243,7 @@ void Search::land_one(const V3& y, const Window& window, int place, LandingRows&
 }
 
 void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
-    if (batch.memory != nullptr) {
-        batch.memory[i].look_at(place);
-    }
+    if (batch.memory != nullptr) batch.memory[i].look_at(place);
     batch.place[i] = place;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
     fill(batch, i, rows, column);

@@ -152,7 +152,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     // Within this of the node none of the others takes it, or only with a larger kappa.
     const auto radius = [&] {
         const double own = best < 0 ? 0.0 : double(rate(batch.candidates[best].place));
-        double all = usual_ball_;
+        double all = remembers ? ball_wanted(batch.memory[i]) : 0;
         for (int c = first; c < last; ++c) {
             if (c == best) continue;
             const Batch::Candidate& one = batch.candidates[c];
@@ -195,8 +195,13 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
 /// prisms are asked
 void Search::keep_quiet(const Batch& batch, int i, double radius) const {
     Memory& memory = batch.memory[i];
-    if (!(radius > 0) || radius >= usual_ball_) return keep_quiet(batch.point(i), memory);
+    if (!(radius > 0) || radius >= ball_wanted(memory)) return keep_quiet(batch.point(i), memory);
     memory.keep_quiet(batch.point(i), radius);
+}
+
+double Search::ball_wanted(const Memory& memory) const {
+    if (memory.place < 0 || !(memory.radius < 0)) return usual_ball_;
+    return std::clamp(-8 * double(memory.radius), small_ball_, usual_ball_);
 }
 
 double Search::holding_ball(const LandingRows& rows, int i, double depth, int place) const {
@@ -242,10 +247,10 @@ void Search::ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) 
 void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const {
     // D34 asks for boxes, D35 lifts what leans, D11 lets contact and proximity compete: one node after the other.
     const bool plain = !reach_box_.on && !limits_.lift_leaning && !(rules.one_race && batch.proximity > 0);
-    const double around = remembers ? usual_ball_ : 0;
     for (int j = 0; j < count; ++j) {
         const int i = open[j];
         const V3 y = batch.point(i);
+        const double around = remembers ? ball_wanted(batch.memory[i]) : 0;
         Near near[most_segments];
         int segments = 0;
         if (plain)

@@ -28,17 +28,18 @@ enum class Path {
     searched    ///< all that may take it were asked
 };
 
-/// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches; where
-/// balls hold for long, searching is cheaper. Judged by the mean of about the last eight cycles, of all nodes, so that
-/// no thread's pace has a part in it; once they pay they are asked for ever after.
+/// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches: where
+/// balls hold for long, or sub-triangles are many and few nodes pass each, searching is cheaper. Judged by the mean of
+/// about the last eight cycles, of all nodes, so that no thread's pace has a part in it; once they pay they are asked
+/// for ever after.
 class AskedAgain {
   public:
-    void add(const PathTally& cycle, long nodes) {
+    void add(const PathTally& cycle, long nodes, long places) {
         const double now =
             static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
         // The first cycle searches for all.
         mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
-        often_ = often_ || mean_ > 0.06;
+        often_ = often_ || (mean_ > 0.08 && places < 4 * nodes);
     }
     bool often() const { return often_; }
 
@@ -167,6 +168,8 @@ class Search {
     Retained search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes = true) const;
 
     const Limits& limits() const { return limits_; }
+    /// Sub-triangles, those of triangles in a mixed tool four times.
+    long places() const { return static_cast<long>(margins_.size()); }
     size_t bytes() const;
 
   private:
@@ -201,6 +204,8 @@ class Search {
     void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
     void keep_quiet(const V3& y, Memory& memory) const;
     void keep_quiet(const Batch& batch, int i, double radius) const;
+    /// No larger one is looked for: near a side balls are small, and what is far from there need not be asked.
+    double ball_wanted(const Memory& memory) const;
     /// Node i, steady in its place, in this column of the rows.
     void keep_held(Batch& batch, int i, int column) const;
     /// Within this of the node the place takes it as contact, on the same side; <= 0: not known.

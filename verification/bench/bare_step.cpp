@@ -73,7 +73,7 @@ void BareStep::at_time_zero(const optimized::Cycle& cycle) {
 template <bool rubbing, BareStep::Until until, BareStep::Sums how>
 void BareStep::run(const Motion& motion) {
     const optimized::Cycle cycle(*laws_, motion, laws_->card->inacti);
-    if (cycles_++ > 0) asked_again_.add(tally_, static_cast<long>(nodes_.node.size()));
+    if (cycles_++ > 0) asked_again_.add(tally_, static_cast<long>(nodes_.node.size()), laws_->search->places());
     work_->batch->cores = asked_again_.often();
     tally_ = {};
     searched_.clear();

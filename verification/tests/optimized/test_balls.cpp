@@ -351,18 +351,22 @@ TEST(AskedAgain, WantsCoresWhenManyAreAskedAgain) {
     all.searched = 1000;
     many.searched = 100;
     few.searched = 10;
-    judge.add(all, 1000);  // the first cycle searches for all, which says nothing
+    judge.add(all, 1000, 2000);  // the first cycle searches for all, which says nothing
     EXPECT_FALSE(judge.often());
     for (int c = 0; c < 24; ++c)
-        judge.add(many, 1000);
+        judge.add(many, 1000, 2000);
     EXPECT_TRUE(judge.often());
     for (int c = 0; c < 24; ++c)
-        judge.add(few, 1000);
+        judge.add(few, 1000, 2000);
     EXPECT_TRUE(judge.often()) << "cores that are there are used";
     AskedAgain other;
     for (int c = 0; c < 24; ++c)
-        other.add(few, 1000);
+        other.add(few, 1000, 2000);
     EXPECT_FALSE(other.often());
+    AskedAgain wide;
+    for (int c = 0; c < 24; ++c)
+        wide.add(many, 1000, 10000);
+    EXPECT_FALSE(wide.often()) << "few nodes pass each sub-triangle";
 }
 
 /// Above corners, sides, middles and centres, on the surface, and anywhere.
