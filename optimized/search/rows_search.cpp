@@ -125,6 +125,7 @@ Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, 
 bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const {
     const LandingRows& rows = batch.others;
     const int i = batch.candidates[first].column;
+    const double wanted = remembers ? ball_wanted(batch.memory[i]) : 0;  // before the node remembers something else
     int best = -1;
     double least = HUGE_VAL, next = HUGE_VAL;
     double lands = HUGE_VAL;  ///< smallest kappa of those that may take it
@@ -152,7 +153,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     // Within this of the node none of the others takes it, or only with a larger kappa.
     const auto radius = [&] {
         const double own = best < 0 ? 0.0 : double(rate(batch.candidates[best].place));
-        double all = remembers ? ball_wanted(batch.memory[i]) : 0;
+        double all = wanted;
         for (int c = first; c < last; ++c) {
             if (c == best) continue;
             const Batch::Candidate& one = batch.candidates[c];
