@@ -39,7 +39,7 @@ class AskedAgain {
             static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
         // The first cycle searches for all.
         mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
-        often_ = often_ || (mean_ > 0.08 && places < 4 * nodes);
+        often_ = often_ || (mean_ > 0.06 && places < 4 * nodes);
     }
     bool often() const { return often_; }
 
