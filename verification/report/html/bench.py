@@ -51,13 +51,23 @@ def growth_lines(growth):
     return [name for name in dict.fromkeys(key for row in growth for key, value in row.items() if isinstance(value, (int, float))) if name not in ("segments", "nodes")]
 
 
+def of_usual_nodes(growth):
+    """Rows with the number of nodes of the first one, which is that of all other comparisons."""
+    return sorted((row for row in growth if row.get("nodes") == growth[0].get("nodes")), key=lambda row: row["segments"])
+
+
 def draw_growth(growth):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(6.6, 2.8), layout="constrained")
     for number, name in enumerate(growth_lines(growth)):
-        rows = sorted((row for row in growth if name in row), key=lambda row: row["segments"])
+        rows = [row for row in of_usual_nodes(growth) if name in row]
         axes.plot([row["segments"] for row in rows], [row[name] for row in rows], "o-", ms=4, color=curves.COLOURS[number % len(curves.COLOURS)], label=name.replace("_", " "))
+    # The step with other numbers of nodes.
+    others = [nodes for nodes in dict.fromkeys(row.get("nodes") for row in growth) if nodes != growth[0].get("nodes")]
+    for number, nodes in enumerate(others):
+        rows = sorted((row for row in growth if row.get("nodes") == nodes and "coherent" in row), key=lambda row: row["segments"])
+        axes.plot([row["segments"] for row in rows], [row["coherent"] for row in rows], "^v<>"[number % 4], ls=":", ms=4, lw=0.8, color=curves.COLOURS[0], label="coherent, " + f"{nodes:,} nodes".replace(",", " "))
     axes.set_xscale("log")
     axes.set_yscale("log")
     curves.plain_log(axes.yaxis)
@@ -85,7 +95,7 @@ def note_on_stages(stages):
 
 
 def note_on_growth(growth):
-    rows = sorted(growth, key=lambda row: row["segments"])
+    rows = of_usual_nodes(growth)
     text = [f"{name.replace('_', ' ')} takes {both[-1] / both[0]:.3g} times as long" for name in growth_lines(growth)
             if len(both := [row[name] for row in rows if name in row]) > 1]
     return f"On a tool with {rows[-1]['segments'] / rows[0]['segments']:.3g} times the segments " + ", ".join(text) + "." if text else "One size only was measured."

@@ -162,12 +162,14 @@ class Page(unittest.TestCase):
         ratios = [{"scene": "bowl", "what": "step against search", "slow": "search", "fast": "step", "of_medians": value} for value in (0.5, 4.0)]
         targets = [{"target": name, "scene": "bowl", "unit": "x", "better": "higher", "at_least": 10, "aim": 20, "measured": 5, "reached": reached, "note": ""}
                    for name, reached in (("one", "no"), ("other", "aim"))]
-        growth = [{"scene": "a", "segments": 100, "coherent": 10.0}, {"scene": "b", "segments": 1000, "coherent": 20.0}]
+        growth = [{"scene": "a", "segments": 100, "nodes": 500, "coherent": 10.0}, {"scene": "b", "segments": 1000, "nodes": 500, "coherent": 20.0},
+                  {"scene": "c", "segments": 1000, "nodes": 5000, "coherent": 70.0}]
         text = self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3, "ratios": ratios, "targets": targets, "growth": growth}})
         self.assert_has(text, "1 of 2 targets reached")
         self.assert_has(text, "NOT REACHED")
         self.assert_has(text, "in 1 of 2 comparisons, those below 1, the first is the faster one")
         self.assert_has(text, "On a tool with 10 times the segments coherent takes 2 times as long.")
+        self.assert_has(text, "coherent, 5 000 nodes")
         self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3}})
 
     def test_lockstep_and_sliding_are_shown(self):
