@@ -11,7 +11,7 @@
 
 namespace type21::optimized {
 
-inline constexpr int chunk = 256;  ///< nodes that one thread takes at a time
+inline constexpr int chunk = Search::Batch::room;  ///< nodes that one thread takes at a time
 
 struct Contact::State {
     State(const Scene& scene, int interface);

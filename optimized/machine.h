@@ -23,6 +23,12 @@ Machine this_machine();
 /// Has it a fused multiply-add? Used for exact products only, which are the same with and without it.
 bool has_fma();
 
+/// Of one loop that was compiled for each machine, that for this one.
+template <class Function>
+Function* compiled_for(Machine machine, Function* eight, Function* four, Function* two) {
+    return machine == Machine::eight ? eight : (machine == Machine::four ? four : two);
+}
+
 /// Registers no wider than these, so that one processor can show what others compute. Not while others compute.
 class Narrowed {
   public:

@@ -144,13 +144,8 @@ void land_two(const LandingRows& rows, int count, FineKappaRows& kappa) {
 }  // namespace
 
 void fine_landing(const LandingRows& rows, int count, FineKappaRows& kappa, Machine machine) {
-    if (machine == Machine::eight) {
-        land_eight(rows, count, kappa);
-    } else if (machine == Machine::four && has_fma()) {
-        land_four(rows, count, kappa);
-    } else {
-        land_two(rows, count, kappa);
-    }
+    const auto four = has_fma() ? land_four : land_two;
+    compiled_for(machine, land_eight, four, land_two)(rows, count, kappa);
 }
 
 }  // namespace type21::optimized

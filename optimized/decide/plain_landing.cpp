@@ -206,25 +206,15 @@ void land_two(LandingRows& rows, const LandingPlace& place, int first, int last,
     land_all<2>(rows, place, first, last, limits);
 }
 
-LandingPlace own(LandingRows& r) {
-    return {{r.y[0], r.y[1], r.y[2]}, r.gap, r.b, r.c, r.lift, {r.n[0], r.n[1], r.n[2]}, {r.x[0], r.x[1], r.x[2]}};
-}
-
 }  // namespace
 
 void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits, Machine machine) {
-    plain_landing(rows, own(rows), first, last, limits, machine);
+    plain_landing(rows, place_in(rows, 0), first, last, limits, machine);
 }
 
 void plain_landing(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
                    Machine machine) {
-    if (machine == Machine::eight) {
-        land_eight(rows, place, first, last, limits);
-    } else if (machine == Machine::four) {
-        land_four(rows, place, first, last, limits);
-    } else {
-        land_two(rows, place, first, last, limits);
-    }
+    compiled_for(machine, land_eight, land_four, land_two)(rows, place, first, last, limits);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 /// before.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,6 +37,12 @@ struct LandingRows {
     alignas(64) Row p, q, far;  ///< coordinates of the node in (A, B, C), largest |P - o|
     alignas(64) Row certain;    ///< 1: this sub-triangle, contact; -1: nothing; 0: not known from this alone
     alignas(64) Row rejected;   ///< 1: a weight is surely below its limit, in a foreseen sub-triangle; 0: not known
+
+    /// Smallest weight of step 2, and of step 3.
+    double innermost(int i) const { return std::min(weight[0][i], std::min(weight[1][i], weight[2][i])); }
+    double least_landed(int i) const { return std::min(1 - b[i] - c[i], std::min(b[i], c[i])); }
+    /// Of the node over the plane, without sign [length]
+    double distance_from_plane(int i) const { return std::abs(height[i]) / std::sqrt(square[i]); }
 };
 
 /// Where nodes stand, and where it is put what most of them are asked for: in rows of others, from their first column
@@ -46,6 +53,17 @@ struct LandingPlace {
     double *b, *c, *lift;
     std::array<double*, 3> n, x;
 };
+/// Those of `rows` from column i on.
+template <class Rows>
+LandingPlace place_in(Rows& rows, int i) {
+    return {{rows.y[0] + i, rows.y[1] + i, rows.y[2] + i},
+            rows.gap + i,
+            rows.b + i,
+            rows.c + i,
+            rows.lift + i,
+            {rows.n[0] + i, rows.n[1] + i, rows.n[2] + i},
+            {rows.x[0] + i, rows.x[1] + i, rows.x[2] + i}};
+}
 
 /// What holds for all nodes of a tool.
 struct LandingLimits {

@@ -113,11 +113,17 @@ TYPE21_AVX512 void all_into_rows_eight(const double* from, int count, const Comp
 TYPE21_AVX2 void all_into_rows_four(const double* from, int count, const Components& to) {
     all_into_rows<4>(from, count, to);
 }
+void all_into_rows_two(const double* from, int count, const Components& to) {
+    all_into_rows<2>(from, count, to);
+}
 TYPE21_AVX512 void chosen_into_rows_eight(const double* from, const int* index, int count, const Components& to) {
     chosen_into_rows<8>(from, index, count, to);
 }
 TYPE21_AVX2 void chosen_into_rows_four(const double* from, const int* index, int count, const Components& to) {
     chosen_into_rows<4>(from, index, count, to);
+}
+void chosen_into_rows_two(const double* from, const int* index, int count, const Components& to) {
+    chosen_into_rows<2>(from, index, count, to);
 }
 TYPE21_AVX512 void all_from_rows_eight(const ConstComponents& from, int count, double* to) {
     all_from_rows<8>(from, count, to);
@@ -125,38 +131,23 @@ TYPE21_AVX512 void all_from_rows_eight(const ConstComponents& from, int count, d
 TYPE21_AVX2 void all_from_rows_four(const ConstComponents& from, int count, double* to) {
     all_from_rows<4>(from, count, to);
 }
+void all_from_rows_two(const ConstComponents& from, int count, double* to) {
+    all_from_rows<2>(from, count, to);
+}
 
 void write_rows(const ConstComponents& from, int count, double* to, Machine machine) {
-    if (machine == Machine::eight) {
-        all_from_rows_eight(from, count, to);
-    } else if (machine == Machine::four) {
-        all_from_rows_four(from, count, to);
-    } else {
-        all_from_rows<2>(from, count, to);
-    }
+    compiled_for(machine, all_from_rows_eight, all_from_rows_four, all_from_rows_two)(from, count, to);
 }
 
 }  // namespace
 
 void into_rows(const V3* from, int count, const Components& to, Machine machine) {
-    if (machine == Machine::eight) {
-        all_into_rows_eight(&from->x, count, to);
-    } else if (machine == Machine::four) {
-        all_into_rows_four(&from->x, count, to);
-    } else {
-        all_into_rows<2>(&from->x, count, to);
-    }
+    compiled_for(machine, all_into_rows_eight, all_into_rows_four, all_into_rows_two)(&from->x, count, to);
 }
 
 void into_rows(std::span<const Vec3> from, const int* index, int count, const Components& to, Machine machine) {
-    const double* numbers = from.data()->data();
-    if (machine == Machine::eight) {
-        chosen_into_rows_eight(numbers, index, count, to);
-    } else if (machine == Machine::four) {
-        chosen_into_rows_four(numbers, index, count, to);
-    } else {
-        chosen_into_rows<2>(numbers, index, count, to);
-    }
+    compiled_for(machine, chosen_into_rows_eight, chosen_into_rows_four, chosen_into_rows_two)(from.data()->data(),
+                                                                                               index, count, to);
 }
 
 void from_rows(const ConstComponents& from, int count, V3* to, Machine machine) {

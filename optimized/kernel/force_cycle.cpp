@@ -23,6 +23,9 @@ TYPE21_AVX512 void transform_eight(Search::Batch& rows, int count, const ForceCy
 TYPE21_AVX2 void transform_four(Search::Batch& rows, int count, const ForceCycle& c) {
     transform<4>(rows, count, c);
 }
+void transform_two(Search::Batch& rows, int count, const ForceCycle& c) {
+    transform<2>(rows, count, c);
+}
 
 }  // namespace
 
@@ -46,13 +49,7 @@ ForceCycle::ForceCycle(const Laws& of, const Cycle& cycle) : laws(&of) {
 }
 
 void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, Machine machine) {
-    if (machine == Machine::eight) {
-        transform_eight(rows, count, cycle);
-    } else if (machine == Machine::four) {
-        transform_four(rows, count, cycle);
-    } else {
-        transform<2>(rows, count, cycle);
-    }
+    compiled_for(machine, transform_eight, transform_four, transform_two)(rows, count, cycle);
 }
 
 }  // namespace type21::optimized

@@ -267,8 +267,7 @@ void act_two(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlo
 
 template <unsigned Effects>
 Forces forces_on(Machine machine) {
-    if (machine == Machine::eight) return act_eight<Effects>;
-    return machine == Machine::four ? act_four<Effects> : act_two<Effects>;
+    return compiled_for(machine, act_eight<Effects>, act_four<Effects>, act_two<Effects>);
 }
 
 }  // namespace

@@ -58,6 +58,8 @@ struct ForceRows {
              bool damped, bool rubbing);
     /// What the nodes remember of the forces that were found, or of none.
     void remember(NodeData& nodes, bool acts) const;
+    /// Force and stiffness of all nodes, likewise. @param all_forces, all_stiffness  by rank of node
+    void give(bool acts, Vec3* all_forces, double* all_stiffness) const;
 
   private:
     Row copy[5];
@@ -72,6 +74,10 @@ inline int whole_registers(int count) {
 inline void fetch(const std::vector<double>& from, int first, int count, double* to) {
     std::copy_n(from.data() + first, count, to);
 }
+
+/// What a step asks of the nodes until their decisions are there, and for their forces then.
+Ahead asked_by_search(const NodeData& nodes, const Motion& motion);
+void add_forces(const NodeData& nodes, const Motion& motion, const Vec3* forces, const double* stiffness, Ahead& ahead);
 
 /// What holds for all nodes of a cycle.
 struct ForceCycle {

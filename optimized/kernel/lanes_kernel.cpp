@@ -96,29 +96,9 @@ void tell(const Laws& laws, const NodeData& nodes, const Search::Batch& batch, c
             report(laws, batch, j, f, nodes.gap[static_cast<size_t>(start + j)], out.node[start + j]);
         for (int j = 0; j < f.count && laws.skid; ++j)
             out.node[start + j].skid = nodes.skid[static_cast<size_t>(start + j)];
-    } else if (acts) {
-        from_rows(f.force, f.count, out.force + start);
-        std::copy_n(f.step_stiffness, f.count, out.step_stiffness + start);
     } else {
-        std::fill_n(out.force + start, f.count, Vec3(Vec3::Zero()));
-        std::fill_n(out.step_stiffness + start, f.count, 0.0);
+        f.give(acts, out.force, out.step_stiffness);
     }
-}
-
-Ahead asked_of(const NodeData& nodes, const Motion& motion, const Output& out) {
-    Ahead ahead(static_cast<int>(nodes.node.size()));
-    ahead.add(motion.position, nodes.node);
-    ahead.add(motion.velocity, nodes.node);
-    ahead.add(nodes.memory);
-    ahead.add(nodes.cycles);
-    ahead.add(nodes.friction);
-    for (const auto* numbers : {&nodes.gap, &nodes.stiffness, &nodes.offset, &nodes.mass})
-        ahead.add(*numbers);
-    if (out.node == nullptr) {
-        ahead.add(out.force, sizeof(Vec3));
-        ahead.add(out.step_stiffness, sizeof(double));
-    }
-    return ahead;
 }
 
 }  // namespace
@@ -132,7 +112,8 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
     static_assert(Search::Batch::part == TermBlock::room);
     batch.depth = laws.card->depth;
     batch.proximity = laws.proximity;
-    const Ahead ahead = asked_of(nodes, cycle.motion, out);
+    Ahead ahead = asked_by_search(nodes, cycle.motion);
+    add_forces(nodes, cycle.motion, out.force, out.step_stiffness, ahead);
     batch.ahead = &ahead;
     f.told = out.node != nullptr || laws.has(effect::lists);
     batch.count = last - first;

@@ -52,4 +52,35 @@ void ForceRows::remember(NodeData& nodes, bool acts) const {
     if (!nodes.friction.empty()) from_rows(friction, count, nodes.friction.data() + rank);
 }
 
+void ForceRows::give(bool acts, Vec3* all_forces, double* all_stiffness) const {
+    if (acts) {
+        from_rows(force, count, all_forces + rank);
+        std::copy_n(step_stiffness, count, all_stiffness + rank);
+    } else {
+        std::fill_n(all_forces + rank, count, Vec3(Vec3::Zero()));
+        std::fill_n(all_stiffness + rank, count, 0.0);
+    }
+}
+
+Ahead asked_by_search(const NodeData& nodes, const Motion& motion) {
+    Ahead ahead(static_cast<int>(nodes.node.size()));
+    ahead.add(motion.position, nodes.node);
+    ahead.add(nodes.memory);
+    ahead.add(nodes.gap);
+    ahead.add(nodes.stiffness);
+    return ahead;
+}
+
+void add_forces(const NodeData& nodes, const Motion& motion, const Vec3* forces, const double* stiffness,
+                Ahead& ahead) {
+    ahead.add(motion.velocity, nodes.node);
+    ahead.add(nodes.cycles);
+    ahead.add(nodes.friction);
+    ahead.add(nodes.offset);
+    ahead.add(nodes.mass);
+    if (forces == nullptr) return;
+    ahead.add(forces, sizeof(Vec3));
+    ahead.add(stiffness, sizeof(double));
+}
+
 }  // namespace type21::optimized

@@ -27,6 +27,8 @@ struct Flags {
     }
 };
 
+static_assert(Ahead::distance == Search::Batch::room);
+
 constexpr double taking = weight_limit + plain_share - foreseen_share;  ///< as a core: all that the sub-triangle takes
 
 }  // namespace
@@ -60,11 +62,6 @@ void Search::decide(Batch& batch, const Rules& rules, bool projects) const {
     decide_pairs(batch, rules);
     decide_close(batch, rules);
     ask_rows(batch, open, left, rules, true);
-}
-
-LandingPlace Search::Batch::from(int i) {
-    return {{y[0] + i, y[1] + i, y[2] + i}, gap + i, b + i, c + i, lift + i, {n[0] + i, n[1] + i, n[2] + i},
-            {x[0] + i, x[1] + i, x[2] + i}};
 }
 
 int Search::recall(Batch& batch, int first, int* last, int* open, bool projects) const {
@@ -107,23 +104,20 @@ double Search::least_weight(const Batch& batch, int i, int place) const {
 
 void Search::land_in_place(Batch& batch, int first, int count, const int* last) const {
     LandingRows& rows = batch.rows;
-    int place[Batch::part], any = -1;
-    for (int c = 0; c < count; ++c) {
-        place[c] = last[c];
-        any = std::max(any, last[c]);
-        if (last[c] < 0) continue;
-        tool_.prefetch_corners(segment_of(last[c]));
-        rows.core[c] = least_weight(batch, first + c, last[c]);
-    }
+    int place[Batch::part];
     // Those that do not look stand anywhere, and what they get is not asked.
-    for (int c = 0; c < count; ++c)
-        place[c] = place[c] < 0 ? any : place[c];
+    const int any = *std::max_element(last, last + count);
+    for (int c = 0; c < count; ++c) {
+        place[c] = last[c] < 0 ? any : last[c];
+        tool_.prefetch_corners(segment_of(place[c]));
+        rows.core[c] = least_weight(batch, first + c, place[c]);
+    }
     constexpr int group = Ahead::group;
     for (int c = 0; c < count; c += group) {
         if (batch.ahead != nullptr) batch.ahead->ask(batch.first + first + c);
-        gather(rows, tool_, place + c, c, std::min(group, count - c), growth_);
+        gather_asked(rows, tool_, place + c, c, std::min(group, count - c), growth_);
     }
-    plain_landing(rows, batch.from(first), 0, count, landing_limits(batch.depth, batch.proximity));
+    plain_landing(rows, place_in(batch, first), 0, count, landing_limits(batch.depth, batch.proximity));
 }
 
 void Search::land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const {
@@ -132,9 +126,7 @@ void Search::land_apart(Batch& batch, int first, const int* nodes, int count, co
     for (int c = 0; c < count; ++c) {
         const int i = first + nodes[c];
         place[c] = last[nodes[c]];
-        for (int a = 0; a < 3; ++a)
-            rows.y[a][c] = batch.y[a][i];
-        rows.gap[c] = batch.gap[i];
+        stand_at(rows, c, batch.point(i), batch.gap[i]);
         rows.core[c] = least_weight(batch, i, place[c]);
     }
     gather(rows, tool_, place, 0, count, growth_);
@@ -187,11 +179,9 @@ int Search::look_again(Batch& batch, int first, const int* last, const Rules& ru
 
 void Search::complete(Batch& batch, int i, int c) {
     LandingRows& rows = batch.rows;
-    for (int a = 0; a < 3; ++a) {
-        rows.y[a][c] = batch.y[a][i];
+    stand_at(rows, c, batch.point(i), batch.gap[i]);
+    for (int a = 0; a < 3; ++a)
         rows.n[a][c] = batch.n[a][i];
-    }
-    rows.gap[c] = batch.gap[i];
     rows.b[c] = batch.b[i];
     rows.c[c] = batch.c[i];
     rows.lift[c] = batch.lift[i];
@@ -229,10 +219,14 @@ LandingLimits Search::landing_limits(double depth, double proximity) const {
     return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
 }
 
-void Search::ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const {
+void Search::stand_at(LandingRows& rows, int column, const V3& y, double gap) {
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = y[a];
     rows.gap[column] = gap;
+}
+
+void Search::ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const {
+    stand_at(rows, column, y, gap);
     rows.core[column] = foreseen(place) ? taking : double(beyond_foreseen);
 }
 

@@ -69,10 +69,14 @@ TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, 
 
 void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
             Machine machine) {
+    for (int c = 0; c < count; ++c)
+        tool.prefetch_corners(segment_of(place[c]));
+    gather_asked(rows, tool, place, first, count, growth, machine);
+}
+
+void gather_asked(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
+                  Machine machine) {
     const auto gather_group = machine == Machine::two ? gather_one_by_one : gather_four;
-    if (count > group)
-        for (int c = 0; c < count; ++c)
-            tool.prefetch_corners(segment_of(place[c]));
     for (int c = 0; c < count; c += group) {
         Segments segment;
         const int at = first + c;

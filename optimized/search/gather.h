@@ -21,5 +21,8 @@ inline int piece_of(int place) {
 /// the next one. @param growth  of foreseen_size [length]
 void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
             Machine machine = this_machine());
+/// The same where Tool::prefetch_corners has been called for them.
+void gather_asked(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
+                  Machine machine = this_machine());
 
 }  // namespace type21::optimized

@@ -24,10 +24,10 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
           height2 > 4 * rounding * rounding * rows.square[i] && height2 * (1 + 1e-9) < limit * limit * rows.square[i]))
         return Standing::unknown;
     constexpr double low = weight_limit;
-    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
+    const double inner = rows.innermost(i);
     if (inner < low - plain_share) return Standing::rejected;
     if (!(inner > low + plain_share)) return Standing::unknown;
-    const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
+    const double least = rows.least_landed(i);
     if (least < low - plain_share) return Standing::rejected;
     if (!(least > low + plain_share)) return Standing::unknown;
     const V3 n{rows.n[0][i], rows.n[1][i], rows.n[2][i]};

@@ -226,7 +226,7 @@ PieceBounds piece_bounds(const Tool& tool, double growth, Machine machine) {
     PieceBounds bounds;
     bounds.rate.assign(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
     bounds.kappa_bits.assign(static_cast<size_t>(tool.size()), 255);
-    const auto compute = machine == Machine::eight ? rates_eight : (machine == Machine::four ? rates_four : rates_two);
+    const auto compute = compiled_for(machine, rates_eight, rates_four, rates_two);
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
         Rows rows{};
         int column = 0;

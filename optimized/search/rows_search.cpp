@@ -24,13 +24,14 @@ double longest_lift(const SegmentData& segment, int piece) {
     const LocalSegment local = local_segment(segment);
     const V3 area = cross(local.corner[static_cast<size_t>(of.b)] - local.center,
                           local.corner[static_cast<size_t>(of.c)] - local.center);
+    const double square = dot(area, area);
     double least = HUGE_VAL, most = 0, lean = 0;
     for (const V3& n :
          {local.center_normal, segment.normal[static_cast<size_t>(of.b)], segment.normal[static_cast<size_t>(of.c)]}) {
         const double slope = dot(n, area);
         least = std::min(least, slope);
         most = std::max(most, slope);
-        lean = std::max(lean, dot(n, n) * dot(area, area) / (slope * slope) - 1);
+        lean = std::max(lean, dot(n, n) * square / (slope * slope) - 1);
     }
     const double share = (1 + 4 * q) * most / ((1 + 2 * q) * least - 2 * q * most);
     return std::sqrt(1 + share * share * lean) * (1 + 1e-5);
@@ -42,18 +43,15 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
                     double least_rate) const {
     if (standing == Standing::unknown) return 0;
     if (standing != Standing::taken) {
-        const double height = std::abs(rows.height[i]) / std::sqrt(rows.square[i]);
-        const double above = height * (1 - 1e-9) - (rows.height[i] > 0 ? limits_.outward : limits_.inward);
+        const double above =
+            rows.distance_from_plane(i) * (1 - 1e-9) - (rows.height[i] > 0 ? limits_.outward : limits_.inward);
         if (above > 0) return above - 2 * foreseen_share * rows.size[i];
     }
     if (!(rate < no_rate && least_rate < no_rate)) return 0;
     const double cap = rate_reach / rate;
     if (standing != Standing::rejected)
         return std::min(cap, (kappa_of(rows.b[i], rows.c[i]) - least - plain_share) / (2 * (rate + least_rate)));
-    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
-    const double low = inner < weight_limit - plain_share
-                           ? inner
-                           : std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
+    const double inner = rows.innermost(i), low = inner < weight_limit - plain_share ? inner : rows.least_landed(i);
     return std::min(cap, (weight_limit - plain_share - low) / rate);
 }
 
@@ -208,10 +206,8 @@ double Search::ball_wanted(const Memory& memory) const {
 double Search::holding_ball(const LandingRows& rows, int i, double depth, int place) const {
     const double own = rate(place), size = rows.size[i], rounding = 3 * foreseen_share * size;
     if (!(own < no_rate)) return 0;
-    const double inner = std::min(rows.weight[0][i], std::min(rows.weight[1][i], rows.weight[2][i]));
-    const double least = std::min(1 - rows.b[i] - rows.c[i], std::min(rows.b[i], rows.c[i]));
-    const double in_weights = (std::min(least, inner - weight_limit) - plain_share) / own;
-    const double length = std::sqrt(rows.square[i]), height = std::abs(rows.height[i]) / length;
+    const double in_weights = (std::min(rows.least_landed(i), rows.innermost(i) - weight_limit) - plain_share) / own;
+    const double height = rows.distance_from_plane(i);
     const double reach = rows.height[i] > 0 ? rows.gap[i] : depth;
     const double in_reach = reach / longest_lift(tool_.segment(segment_of(place)), piece_of(place)) - height;
     return std::min(std::min(in_weights, reach_of(own)), std::min(height, in_reach) * (1 - 1e-9) - rounding);

@@ -124,8 +124,6 @@ class Search {
         PathTally tally;  ///< of this batch
 
         Retained retained(int i) const;
-        /// The rows from this node on.
-        LandingPlace from(int first);
         V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
 
         // Where it works.
@@ -212,6 +210,7 @@ class Search {
     double holding_ball(const LandingRows& rows, int column, double depth, int place) const;
     void ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const;
     LandingLimits landing_limits(double depth, double proximity) const;
+    static void stand_at(LandingRows& rows, int column, const V3& y, double gap);
     /// Where a node is, and whether the place is foreseen.
     void ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const;
     void land_one(const V3& y, const Window& window, int place, LandingRows& rows) const;

@@ -31,48 +31,20 @@ TYPE21_INLINE double largest_in(const double* value, int count) {
     return largest + bad;
 }
 
+constexpr int all_slices = 3;
+
 /// Cuts by adding and subtracting 1.5 * 2^(m + 52 - bits): what is left is the number rounded to a multiple of
 /// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers a lane every sum is a whole multiple
-/// of its unit with at most 41 + 11 bits: exact.
+/// of its unit with at most 41 + 11 bits: exact. Fewer than all slices are added only if they hold everything: nothing
+/// is left below them, and no number is as large as the ceiling, or not finite.
 /// @param sum  eight lanes of each slice
-/// @return 0 when nothing is left below the slices
-template <int W>
-TYPE21_INLINE double slice_in(const double* value, int count, const double* cut, double* sum) {
+/// @return do they hold everything?
+template <int W, int slices>
+TYPE21_INLINE bool slice_in(const double* value, int count, double ceiling, const double* cut, double* sum) {
     constexpr int parts = 8 / W;
-    Lanes<W> total[3][parts], rest{};
-    for (int s = 0; s < 3; ++s)
-        for (int p = 0; p < parts; ++p)
-            load(sum + 8 * s + W * p, total[s][p]);
-    for (int at = 0; at < count; at += 8) {
-        for (int p = 0; p < parts; ++p) {
-            Lanes<W> left, size;
-            load(value + at + W * p, left);
-            for (int s = 0; s < 3; ++s) {
-                const Lanes<W> high = (left + cut[s]) - cut[s];
-                total[s][p] += high;
-                left -= high;
-            }
-            magnitude_of(left, size);
-            rest += size;
-        }
-    }
-    for (int s = 0; s < 3; ++s)
-        for (int p = 0; p < parts; ++p)
-            store(total[s][p], sum + 8 * s + W * p);
-    double remaining = 0;
-    for (int j = 0; j < W; ++j)
-        remaining += rest[j];
-    return remaining;
-}
-
-/// The first two slices of whole groups of eight, if that is all: nothing is left below them, and no number is as large
-/// as the ceiling, or not finite. @return false: something is, and the sums are as they were
-template <int W>
-TYPE21_INLINE bool slice_two_in(const double* value, int count, double ceiling, const double* cut, double* sum) {
-    constexpr int parts = 8 / W;
-    Lanes<W> total[2][parts], most{};
+    Lanes<W> total[slices][parts], most{};
     WholeLanes<Lanes<W>> rest{};
-    for (int s = 0; s < 2; ++s)
+    for (int s = 0; s < slices; ++s)
         for (int p = 0; p < parts; ++p)
             load(sum + 8 * s + W * p, total[s][p]);
     for (int at = 0; at < count; at += 8) {
@@ -81,7 +53,7 @@ TYPE21_INLINE bool slice_two_in(const double* value, int count, double ceiling, 
             load(value + at + W * p, left);
             magnitude_of(left, size);
             most_of(size, most);
-            for (int s = 0; s < 2; ++s) {
+            for (int s = 0; s < slices; ++s) {
                 const Lanes<W> high = (left + cut[s]) - cut[s];
                 total[s][p] += high;
                 left -= high;
@@ -95,11 +67,12 @@ TYPE21_INLINE bool slice_two_in(const double* value, int count, double ceiling, 
         remains |= rest[j];
         largest = most[j] > largest ? most[j] : largest;
     }
-    if ((remains & 0x7fffffffffffffff) != 0 || !(largest < ceiling)) return false;
-    for (int s = 0; s < 2; ++s)
+    const bool everything = (remains & 0x7fffffffffffffff) == 0 && largest < ceiling;
+    if (slices < all_slices && !everything) return false;
+    for (int s = 0; s < slices; ++s)
         for (int p = 0; p < parts; ++p)
             store(total[s][p], sum + 8 * s + W * p);
-    return true;
+    return everything;
 }
 
 TYPE21_AVX512 double largest_eight(const double* value, int count) {
@@ -108,51 +81,30 @@ TYPE21_AVX512 double largest_eight(const double* value, int count) {
 TYPE21_AVX2 double largest_four(const double* value, int count) {
     return largest_in<4>(value, count);
 }
-TYPE21_AVX512 double slice_eight(const double* value, int count, const double* cut, double* sum) {
-    return slice_in<8>(value, count, cut, sum);
+double largest_two(const double* value, int count) {
+    return largest_in<2>(value, count);
 }
-TYPE21_AVX2 double slice_four(const double* value, int count, const double* cut, double* sum) {
-    return slice_in<4>(value, count, cut, sum);
+template <int slices>
+TYPE21_AVX512 bool slice_eight(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    return slice_in<8, slices>(value, count, ceiling, cut, sum);
 }
-
-TYPE21_AVX512 bool slice_two_eight(const double* value, int count, double ceiling, const double* cut, double* sum) {
-    return slice_two_in<8>(value, count, ceiling, cut, sum);
+template <int slices>
+TYPE21_AVX2 bool slice_four(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    return slice_in<4, slices>(value, count, ceiling, cut, sum);
 }
-TYPE21_AVX2 bool slice_two_four(const double* value, int count, double ceiling, const double* cut, double* sum) {
-    return slice_two_in<4>(value, count, ceiling, cut, sum);
-}
-
+template <int slices>
 bool slice_two(const double* value, int count, double ceiling, const double* cut, double* sum) {
-    switch (this_machine()) {
-        case Machine::eight:
-            return slice_two_eight(value, count, ceiling, cut, sum);
-        case Machine::four:
-            return slice_two_four(value, count, ceiling, cut, sum);
-        default:
-            return slice_two_in<2>(value, count, ceiling, cut, sum);
-    }
+    return slice_in<2, slices>(value, count, ceiling, cut, sum);
 }
 
 double largest_magnitude(const double* value, int count) {
-    switch (this_machine()) {
-        case Machine::eight:
-            return largest_eight(value, count);
-        case Machine::four:
-            return largest_four(value, count);
-        default:
-            return largest_in<2>(value, count);
-    }
+    return compiled_for(this_machine(), largest_eight, largest_four, largest_two)(value, count);
 }
 
-double slice(const double* value, int count, const double* cut, double* sum) {
-    switch (this_machine()) {
-        case Machine::eight:
-            return slice_eight(value, count, cut, sum);
-        case Machine::four:
-            return slice_four(value, count, cut, sum);
-        default:
-            return slice_in<2>(value, count, cut, sum);
-    }
+template <int slices>
+bool slice(const double* value, int count, double ceiling, const double* cut, double* sum) {
+    return compiled_for(this_machine(), slice_eight<slices>, slice_four<slices>, slice_two<slices>)(value, count,
+                                                                                                    ceiling, cut, sum);
 }
 
 }  // namespace
@@ -188,7 +140,7 @@ void ExactAccumulator::add(double value) {
 void ExactAccumulator::add_block(const double* value, int n) {
     const int whole = n / 8 * 8;
     // Mostly numbers are like those before, and two slices hold them.
-    if (whole == n && groups_ + n / 8 <= most_groups && slice_two(value, n, ceiling_, cut_.data(), lane_.data())) {
+    if (whole == n && groups_ + n / 8 <= most_groups && slice<2>(value, n, ceiling_, cut_.data(), lane_.data())) {
         groups_ += n / 8;
         return;
     }
@@ -207,7 +159,7 @@ void ExactAccumulator::add_block(const double* value, int n) {
             const int count = std::min(whole - first, 8 * most_groups);
             if (groups_ + count / 8 > most_groups) flush_lanes();
             groups_ += count / 8;
-            if (slice(value + first, count, cut_.data(), lane_.data()) == 0) continue;
+            if (slice<all_slices>(value + first, count, ceiling_, cut_.data(), lane_.data())) continue;
             for (int j = first; j < first + count; ++j) {
                 double left = value[j];
                 for (const double cut : cut_)

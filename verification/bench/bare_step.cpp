@@ -10,7 +10,6 @@ namespace type21::bench {
 
 using optimized::fetch;
 using optimized::ForceRows;
-using optimized::from_rows;
 using optimized::into_rows;
 using optimized::Search;
 using optimized::Term;
@@ -93,20 +92,9 @@ void BareStep::run(const Motion& motion) {
     batch.proximity = 0;
     const int last = static_cast<int>(nodes_.node.size());
     f.told = false;
-    optimized::Ahead ahead(last);
-    ahead.add(motion.position, nodes_.node);
-    ahead.add(nodes_.memory);
-    ahead.add(nodes_.gap);
-    if (until == Until::force || until == Until::sum) {
-        ahead.add(motion.velocity, nodes_.node);
-        ahead.add(nodes_.cycles);
-        ahead.add(nodes_.friction);
-        ahead.add(nodes_.stiffness);
-        ahead.add(nodes_.offset);
-        ahead.add(nodes_.mass);
-        ahead.add(force_);
-        ahead.add(step_stiffness_);
-    }
+    optimized::Ahead ahead = optimized::asked_by_search(nodes_, motion);
+    if (until == Until::force || until == Until::sum)
+        optimized::add_forces(nodes_, motion, force_.data(), step_stiffness_.data(), ahead);
     batch.ahead = &ahead;
     for (int first = 0; first < last; first += Search::Batch::room) {
         batch.count = std::min(Search::Batch::room, last - first);
@@ -141,13 +129,8 @@ void BareStep::run(const Motion& motion) {
             const bool acts = f.ask(nodes_, start, batch, at, motion.velocity, rubbing, rubbing);
             if (acts) forces(shared, batch, f, terms);
             f.remember(nodes_, acts);
-            if (!acts) {
-                std::fill_n(force_.begin() + start, f.count, Vec3(Vec3::Zero()));
-                std::fill_n(step_stiffness_.begin() + start, f.count, 0.0);
-                continue;
-            }
-            std::copy_n(f.step_stiffness, f.count, step_stiffness_.data() + start);
-            from_rows(f.force, f.count, force_.data() + start);
+            f.give(acts, force_.data(), step_stiffness_.data());
+            if (!acts) continue;
             if constexpr (until == Until::force) continue;
             if constexpr (how == Sums::plain) {
                 for (const Term term : summed) {
