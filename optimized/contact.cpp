@@ -158,21 +158,21 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
     return lean;
 }
 
-Funnel Contact::funnel() const {
+DecisionStageCounts Contact::decision_stage_counts() const {
     const PathCounts& counts = state_->counts;
-    Funnel funnel;
+    DecisionStageCounts total;
     // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
-    funnel.nothing_near = counts.quiet;
-    funnel.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole,
-                      counts.fine, counts.whole};
-    return funnel;
+    total.nothing_near = counts.quiet;
+    total.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole,
+                     counts.fine, counts.whole};
+    return total;
 }
 
-std::vector<RoomSize> Contact::rooms() const {
+std::vector<EffectMemory> Contact::memory_by_effect() const {
     const State& s = *state_;
     // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node and the memory of the
     // search.
-    std::vector<RoomSize> rooms{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + sizeof(Memory)}};
+    std::vector<EffectMemory> rooms{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + sizeof(Memory)}};
     const size_t n = std::max<size_t>(s.nodes.node.size(), 1);
     if (s.laws.growth) rooms.push_back({Effect::gap_growth, sizeof(double) + s.laws.growth->bytes() / n});
     if (s.laws.has(effect::friction))
@@ -194,9 +194,13 @@ size_t Contact::tool_bytes() const {
 
 size_t Contact::bytes_per_node() const {
     size_t bytes = 0;
-    for (const RoomSize& room : rooms())
+    for (const EffectMemory& room : memory_by_effect())
         bytes += room.bytes_per_node;
     return bytes;
+}
+
+std::unique_ptr<ContactMethod> make_contact(const Scene& scene, int interface) {
+    return std::make_unique<Contact>(scene, interface);
 }
 
 }  // namespace type21::optimized

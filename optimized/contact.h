@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "optimized/search/path_tally.h"
-#include "reference/contact/contact.h"
+#include "reference/contract/contact_method.h"
 
 namespace type21::optimized {
 
@@ -36,8 +36,8 @@ class Contact final : public ContactMethod {
     const LeanStep& step_lean(const Motion& motion);
 
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
-    std::vector<RoomSize> rooms() const override;
-    Funnel funnel() const override;
+    std::vector<EffectMemory> memory_by_effect() const override;
+    DecisionStageCounts decision_stage_counts() const override;
 
     PathCounts paths() const;
     /// Bytes that the tool and its search hold, and those per secondary node.

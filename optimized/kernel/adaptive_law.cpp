@@ -19,7 +19,7 @@ double radius(const V3& along, const V3& turn) {
 
 }  // namespace
 
-AdaptiveLaw::AdaptiveLaw(const Model& model, const Interface& interface, const Tool& tool)
+AdaptiveLaw::AdaptiveLaw(const ContactModel& model, const Interface& interface, const Tool& tool)
     : card_(interface),
       blank_(model.surfaces[static_cast<size_t>(interface.secondary_surface)].segments),
       factor_((model.as_built.has(Departure::D37) ? std::numbers::sqrt2 : 1.0) *

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "optimized/search/tool.h"
-#include "reference/contact/contact_step.h"
+#include "reference/contract/contact_step.h"
 
 namespace type21::optimized {
 
@@ -14,7 +14,7 @@ namespace type21::optimized {
 /// @page field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 class AdaptiveLaw {
   public:
-    AdaptiveLaw(const Model& model, const Interface& interface, const Tool& tool);
+    AdaptiveLaw(const ContactModel& model, const Interface& interface, const Tool& tool);
     /// One entry for each segment of the secondary surface.
     std::vector<AdaptiveElement> elements(const std::vector<NodeContact>& nodes, std::span<const Vec3> position) const;
 

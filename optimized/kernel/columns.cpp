@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "optimized/lanes.h"
+#include "optimized/simd/lanes.h"
 
 namespace type21::optimized {
 

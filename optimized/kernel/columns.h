@@ -5,9 +5,9 @@
 #include <array>
 #include <span>
 
-#include "optimized/decide/vector3.h"
-#include "optimized/machine.h"
-#include "reference/model/vector.h"
+#include "optimized/projection/vector3.h"
+#include "optimized/simd/simd_width.h"
+#include "reference/contract/vector.h"
 
 namespace type21::optimized {
 

@@ -1,11 +1,11 @@
 /// @file Where the retained impact lies (formulation section 5).
 #pragma once
 
-#include "optimized/decide/decide.h"
-#include "optimized/decide/plain_landing.h"
+#include "optimized/projection/decide.h"
+#include "optimized/projection/project_double.h"
 #include "optimized/search/tool.h"
-#include "reference/contact/decision.h"
-#include "reference/host/motion.h"
+#include "reference/contract/decision.h"
+#include "reference/contract/motion.h"
 
 namespace type21::optimized {
 

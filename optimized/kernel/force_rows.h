@@ -7,7 +7,7 @@
 
 #include "optimized/kernel/columns.h"
 #include "optimized/kernel/node_data.h"
-#include "optimized/lanes.h"
+#include "optimized/simd/lanes.h"
 
 namespace type21::optimized {
 

@@ -22,7 +22,7 @@ double renard(const std::array<double, 6>& c, double s) {
     return last - 1 / (1 / (last - bottom) + past * past);
 }
 
-std::vector<int> parts_of_nodes(const Model& model, const Interface& interface) {
+std::vector<int> parts_of_nodes(const ContactModel& model, const Interface& interface) {
     const auto& nodes = interface.secondary.node;
     std::vector<int> part(nodes.size(), -1);
     for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.secondary_surface)].segments) {
@@ -61,7 +61,7 @@ double FrictionLaw::coefficient(const FrictionCoefficients& f, double p, double 
     return std::max(mu, 1e-30);
 }
 
-FrictionTable::FrictionTable(const Model& model, const Interface& interface) {
+FrictionTable::FrictionTable(const ContactModel& model, const Interface& interface) {
     if (interface.friction_model < 0) {
         common_.fric = interface.fric;
         for (size_t i = 0; i < common_.c.size(); ++i)

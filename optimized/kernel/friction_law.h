@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "optimized/decide/vector3.h"
-#include "reference/model/model.h"
+#include "optimized/projection/vector3.h"
+#include "reference/contract/scene.h"
 
 namespace type21::optimized {
 
@@ -31,7 +31,7 @@ class FrictionLaw {
 class FrictionTable {
   public:
     FrictionTable() = default;
-    FrictionTable(const Model& model, const Interface& interface);
+    FrictionTable(const ContactModel& model, const Interface& interface);
 
     bool by_parts() const { return !secondary_part_.empty(); }
     const FrictionCoefficients& at(int node, int segment) const;

@@ -4,7 +4,7 @@
 
 namespace type21::optimized {
 
-NodeShells::NodeShells(const Model& model, const std::vector<int>& nodes, bool with_material)
+NodeShells::NodeShells(const ContactModel& model, const std::vector<int>& nodes, bool with_material)
     : first_(nodes.size() + 1, 0) {
     const auto each = [&](const auto& act) {
         for (size_t s = 0; s < model.shells.size(); ++s) {
@@ -27,7 +27,7 @@ NodeShells::NodeShells(const Model& model, const std::vector<int>& nodes, bool w
     each([&](size_t i, int s) { shell_[static_cast<size_t>(next[i]++)] = s; });
 }
 
-GapLaw::GapLaw(const Model& model, const Interface& interface)
+GapLaw::GapLaw(const ContactModel& model, const Interface& interface)
     : card_(interface),
       from_clipped_(model.as_built.has(Departure::D30)),
       shells_(model, interface.secondary.node, true) {}

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::optimized {
 
@@ -13,7 +13,7 @@ namespace type21::optimized {
 class NodeShells {
   public:
     /// @param with_material  false: all; true: void shells are left out
-    NodeShells(const Model& model, const std::vector<int>& nodes, bool with_material);
+    NodeShells(const ContactModel& model, const std::vector<int>& nodes, bool with_material);
     std::span<const int> at(int i) const {
         const auto n = static_cast<size_t>(i);
         return {shell_.data() + first_[n], static_cast<size_t>(first_[n + 1] - first_[n])};
@@ -33,7 +33,7 @@ struct GrownGap {
 /// @page eq 2, 4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D30
 class GapLaw {
   public:
-    GapLaw(const Model& model, const Interface& interface);
+    GapLaw(const ContactModel& model, const Interface& interface);
     /// @param thickness  of each of Model::shells [length]; empty: as at time 0
     GrownGap at(int i, std::span<const double> thickness) const;
     size_t bytes() const { return shells_.bytes(); }

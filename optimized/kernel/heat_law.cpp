@@ -17,7 +17,7 @@ double in_series(double exchange, double distance, double conductivity) {
 
 }  // namespace
 
-HeatLaw::HeatLaw(const Model& model, const Interface& interface)
+HeatLaw::HeatLaw(const ContactModel& model, const Interface& interface)
     : card_(interface),
       area_(interface.secondary.area),
       nodal_tool_(interface.ithe == 2 || interface.ithe_form == 1),

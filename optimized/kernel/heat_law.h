@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::optimized {
 
@@ -18,7 +18,7 @@ struct Heat {
 /// @page eq 14, 15, 16, 17, 20; field Ithe, Kthe, fct_IDK, AscaleK, Frad, Drad, Fcond, Dcond; comment 16, 17, 22, 23
 class HeatLaw {
   public:
-    HeatLaw(const Model& model, const Interface& interface);
+    HeatLaw(const ContactModel& model, const Interface& interface);
 
     /// @param node      rank of the secondary node      @param distance  delta, signed [length]
     /// @param force     F_n [force]                     @param blank, tool  T_s, T_m   @param step  dt1 [time]

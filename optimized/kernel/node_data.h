@@ -10,9 +10,9 @@
 #include "optimized/kernel/heat_law.h"
 #include "optimized/search/search.h"
 #include "optimized/sums/step_sums.h"
-#include "reference/contact/contact_step.h"
-#include "reference/host/motion.h"
-#include "reference/model/scene.h"
+#include "reference/contract/contact_step.h"
+#include "reference/contract/motion.h"
+#include "reference/contract/scene.h"
 
 namespace type21::optimized {
 
@@ -58,7 +58,7 @@ struct Laws {
     /// The sums that lanes_kernel fills; without friction the others are copies of these or zero.
     std::span<const Term> terms() const { return terms_; }
 
-    std::shared_ptr<const Model> model;
+    std::shared_ptr<const ContactModel> model;
     const Interface* card;
     Tool tool;
     std::unique_ptr<Search> search;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/model/interface.h"
+#include "reference/contract/interface.h"
 
 namespace type21::optimized {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "optimized/decide/vector3.h"
+#include "optimized/projection/vector3.h"
 
 namespace type21::optimized {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "optimized/machine.h"
 #include "optimized/search/box.h"
+#include "optimized/simd/simd_width.h"
 
 namespace type21::optimized {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "optimized/decide/foreseen_bounds.h"
-#include "optimized/lanes.h"
+#include "optimized/projection/a_priori_bounds.h"
+#include "optimized/simd/lanes.h"
 
 namespace type21::optimized {
 

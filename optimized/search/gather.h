@@ -1,7 +1,7 @@
 /// @file Sub-triangles into the rows of a projection.
 #pragma once
 
-#include "optimized/decide/plain_landing.h"
+#include "optimized/projection/project_double.h"
 #include "optimized/search/tool.h"
 
 namespace type21::optimized {

@@ -1,6 +1,6 @@
 #include "optimized/search/memory.h"
 
-#include "optimized/lanes.h"
+#include "optimized/simd/lanes.h"
 
 namespace type21::optimized {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "optimized/decide/vector3.h"
-#include "optimized/machine.h"
+#include "optimized/projection/vector3.h"
+#include "optimized/simd/simd_width.h"
 
 namespace type21::optimized {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimized/decide/local_segment.h"
+#include "optimized/projection/local_segment.h"
 #include "optimized/search/search.h"
 
 namespace type21::optimized {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "optimized/search/margins.h"
 #include "optimized/search/segment_boxes.h"
+#include "optimized/search/separating_lines.h"
 
 namespace type21::optimized {
 

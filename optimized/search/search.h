@@ -6,16 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "optimized/decide/decide.h"
-#include "optimized/decide/fine_landing.h"
-#include "optimized/decide/foreseen_bounds.h"
-#include "optimized/search/ahead.h"
+#include "optimized/projection/a_priori_bounds.h"
+#include "optimized/projection/decide.h"
+#include "optimized/projection/project_double_double.h"
 #include "optimized/search/box_tree.h"
+#include "optimized/search/capture_volume.h"
 #include "optimized/search/gather.h"
 #include "optimized/search/memory.h"
 #include "optimized/search/path_tally.h"
-#include "optimized/search/prism.h"
-#include "optimized/search/rates.h"
+#include "optimized/search/prefetcher.h"
+#include "optimized/search/weight_lipschitz.h"
 
 namespace type21::optimized {
 

@@ -3,7 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "optimized/lanes.h"
+#include "optimized/simd/lanes.h"
 
 namespace type21::optimized {
 

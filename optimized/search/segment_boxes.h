@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optimized/search/prism.h"
+#include "optimized/search/capture_volume.h"
 #include "optimized/search/tool.h"
 
 namespace type21::optimized {

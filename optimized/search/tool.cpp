@@ -5,7 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "optimized/decide/local_segment.h"
+#include "optimized/projection/local_segment.h"
 
 namespace type21::optimized {
 
@@ -63,7 +63,7 @@ Tool::Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::ar
     find_extents();
 }
 
-Tool::Tool(const Model& model, const Interface& interface) {
+Tool::Tool(const ContactModel& model, const Interface& interface) {
     const Vec3& center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
     const auto& main = interface.main_nodes;
     std::vector<V3> position;

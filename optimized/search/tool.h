@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "optimized/decide/segment.h"
-#include "reference/model/model.h"
+#include "optimized/projection/segment.h"
+#include "reference/contract/scene.h"
 
 namespace type21::optimized {
 
@@ -15,7 +15,7 @@ namespace type21::optimized {
 /// @page field surf_IDm, IDrby
 class Tool {
   public:
-    Tool(const Model& model, const Interface& interface);
+    Tool(const ContactModel& model, const Interface& interface);
     /// As given: positions, normals taken as they are, segments into them.
     Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::array<int, 4>> corner);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optimized/sums/exact_accumulator.h"
-#include "reference/contact/contact_step.h"
+#include "reference/contract/contact_step.h"
 
 namespace type21::optimized {
 

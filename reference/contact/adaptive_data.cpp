@@ -39,7 +39,7 @@ bool divides(const Interface& interface, const AdaptiveElement& element, const A
     return element.cosine < limit && element.penetration > interface.padm;
 }
 
-AdaptiveData::AdaptiveData(const Model& model, const Interface& interface, const ToolSurface& tool)
+AdaptiveData::AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool)
     : model_(model), interface_(interface) {
     curvature_.reserve(static_cast<size_t>(tool.size()));
     for (int s = 0; s < tool.size(); ++s)

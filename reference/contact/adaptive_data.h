@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "reference/contact/contact_step.h"
 #include "reference/contact/tool_surface.h"
+#include "reference/contract/contact_step.h"
 
 namespace type21::reference {
 
@@ -26,13 +26,13 @@ bool divides(const Interface& interface, const AdaptiveElement& element, const A
 /// The room of Iadm: curvature of each main segment. Present only when the card asks for it.
 class AdaptiveData {
   public:
-    AdaptiveData(const Model& model, const Interface& interface, const ToolSurface& tool);
+    AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool);
 
     /// One entry for each segment of the secondary surface.
     std::vector<AdaptiveElement> elements(const std::vector<NodeContact>& nodes, std::span<const Vec3> position) const;
 
   private:
-    const Model& model_;
+    const ContactModel& model_;
     const Interface& interface_;
     std::vector<SegmentCurvature> curvature_;
 };

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -13,7 +13,7 @@ namespace type21::reference {
 /// @page field Idel
 class Deletion {
   public:
-    Deletion(const Model& model, const Interface& interface)
+    Deletion(const ContactModel& model, const Interface& interface)
         : shells_(static_cast<size_t>(interface.secondary.size())) {
         const auto& nodes = interface.secondary.node;
         for (size_t s = 0; s < model.shells.size(); ++s) {

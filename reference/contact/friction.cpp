@@ -8,7 +8,7 @@
 
 namespace type21::reference {
 
-Friction::Friction(const Model& model, const Interface& interface)
+Friction::Friction(const ContactModel& model, const Interface& interface)
     : model_(model),
       interface_(interface),
       force_(static_cast<size_t>(interface.secondary.size()), Vec3::Zero()),

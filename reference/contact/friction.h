@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/contact/friction_increment.h"
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -25,7 +25,7 @@ struct FrictionInput {
 /// Present only when the scene asks for friction.
 class Friction {
   public:
-    Friction(const Model& model, const Interface& interface);
+    Friction(const ContactModel& model, const Interface& interface);
 
     /// F_t of secondary node i in this cycle; remembered for the next.
     FrictionForce act(int i, const FrictionInput& input);
@@ -41,7 +41,7 @@ class Friction {
     static constexpr size_t bytes_per_node() { return sizeof(Vec3) + sizeof(int); }
 
   private:
-    const Model& model_;
+    const ContactModel& model_;
     const Interface& interface_;
     std::vector<Vec3> force_;  ///< F_t of the last cycle, global axes [force]
     std::vector<int> part_;    ///< index into Model::parts of the node's part, -1: none

@@ -1,7 +1,7 @@
 /// @file Filter of the tangential force (page comment 15, equation (13); formulation section 8).
 #pragma once
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 

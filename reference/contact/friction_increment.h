@@ -1,7 +1,7 @@
 /// @file Incremental friction (page comments 14, 15, equations (12) and (13); formulation section 8).
 #pragma once
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21::reference {
 

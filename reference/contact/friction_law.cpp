@@ -55,7 +55,7 @@ double friction_coefficient(int ifric, const FrictionCoefficients& coefficients,
     }
 }
 
-FrictionCoefficients friction_coefficients(const Model& model, const Interface& interface, int part_secondary,
+FrictionCoefficients friction_coefficients(const ContactModel& model, const Interface& interface, int part_secondary,
                                            int part_main) {
     if (interface.friction_model < 0) {
         FrictionCoefficients card;

@@ -2,7 +2,7 @@
 /// formulation section 8).
 #pragma once
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -29,7 +29,7 @@ double friction_coefficient(int ifric, const FrictionCoefficients& coefficients,
 /// @param part_secondary  index into Model::parts of the node's part, -1: none
 /// @param part_main       of the main segment's part, -1: none
 /// @page field fric_ID
-FrictionCoefficients friction_coefficients(const Model& model, const Interface& interface, int part_secondary,
+FrictionCoefficients friction_coefficients(const ContactModel& model, const Interface& interface, int part_secondary,
                                            int part_main);
 
 }  // namespace type21::reference

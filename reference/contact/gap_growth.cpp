@@ -14,7 +14,7 @@ NodalGap grown_gap(const Interface& interface, double initial, double clipped0, 
     return gap;
 }
 
-GapGrowth::GapGrowth(const Model& model, const Interface& interface)
+GapGrowth::GapGrowth(const ContactModel& model, const Interface& interface)
     : model_(model), interface_(interface), shells_(static_cast<size_t>(interface.secondary.size())) {
     const auto& nodes = interface.secondary.node;
     for (size_t s = 0; s < model.shells.size(); ++s) {

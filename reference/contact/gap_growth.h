@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -25,7 +25,7 @@ NodalGap grown_gap(const Interface& interface, double initial, double clipped0, 
 /// The room of Igap 2: which shells decide the thickness of a node. Present only when the scene asks for it.
 class GapGrowth {
   public:
-    GapGrowth(const Model& model, const Interface& interface);
+    GapGrowth(const ContactModel& model, const Interface& interface);
 
     /// @param i          secondary node
     /// @param thickness  of each of Model::shells [length]; empty: nothing has changed
@@ -34,7 +34,7 @@ class GapGrowth {
     static constexpr size_t bytes_per_node() { return sizeof(std::vector<int>); }
 
   private:
-    const Model& model_;
+    const ContactModel& model_;
     const Interface& interface_;
     std::vector<std::vector<int>> shells_;  ///< at each node, void ones excluded
 };

@@ -35,7 +35,7 @@ double radiated(double frad, double tool_temperature, double blank_temperature) 
     return frad * (tool2 + blank2) * (tool_temperature + blank_temperature) * (tool_temperature - blank_temperature);
 }
 
-HeatExchange::HeatExchange(const Model& model, const Interface& interface)
+HeatExchange::HeatExchange(const ContactModel& model, const Interface& interface)
     : model_(model), interface_(interface), conductivity_(static_cast<size_t>(interface.secondary.size())) {
     const auto& nodes = interface.secondary.node;
     std::vector<double> weight(conductivity_.size(), 0.0);

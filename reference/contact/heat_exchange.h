@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "reference/contact/decision.h"
-#include "reference/model/model.h"
+#include "reference/contract/decision.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -66,7 +66,7 @@ struct HeatFlow {
 /// @page field Ithe; comment 16
 class HeatExchange {
   public:
-    HeatExchange(const Model& model, const Interface& interface);
+    HeatExchange(const ContactModel& model, const Interface& interface);
 
     HeatFlow flow(int i, const HeatInput& input) const;
     /// The tool's temperature is that of its nodes, and not Tint.
@@ -85,7 +85,7 @@ class HeatExchange {
     const Conductivity& conductivity(int i) const { return conductivity_[static_cast<size_t>(i)]; }
 
   private:
-    const Model& model_;
+    const ContactModel& model_;
     const Interface& interface_;
     std::vector<Conductivity>
         conductivity_;  ///< of the blank at each node, mean over its shells weighed with their area there

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "reference/contact/decision.h"
 #include "reference/contact/projection.h"
+#include "reference/contract/decision.h"
 
 namespace type21::reference {
 

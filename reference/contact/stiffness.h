@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 

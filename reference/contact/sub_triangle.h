@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21::reference {
 

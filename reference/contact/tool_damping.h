@@ -5,15 +5,9 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21::reference {
-
-/// Smallest principal inertia of a tool. It does not change with the tool's turn, so ask once.
-/// @param inertia  about the centre, any axes [mass length^2]
-inline double smallest_inertia(const Mat3& inertia) {
-    return Eigen::SelfAdjointEigenSolver<Mat3>(inertia, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
-}
 
 /// C = 2 share sqrt(inertia * stiffness): the share of the critical damping of the tool on its contact.
 /// @param share      Damp, or Dampr for the rotation [-]

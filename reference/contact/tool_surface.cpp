@@ -37,7 +37,7 @@ std::vector<Vec3> nodal_normals(const std::vector<Vec3>& position, const std::ve
     return sum;
 }
 
-ToolSurface::ToolSurface(const Model& model, const Interface& interface)
+ToolSurface::ToolSurface(const ContactModel& model, const Interface& interface)
     : segments_(model.surfaces[static_cast<size_t>(interface.main_surface)].segments) {
     const Vec3 center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
     const auto& main = interface.main_nodes;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/contact/sub_triangle.h"
-#include "reference/model/model.h"
+#include "reference/contract/scene.h"
 
 namespace type21::reference {
 
@@ -14,7 +14,7 @@ namespace type21::reference {
 /// @page field surf_IDm, IDrby
 class ToolSurface {
   public:
-    ToolSurface(const Model& model, const Interface& interface);
+    ToolSurface(const ContactModel& model, const Interface& interface);
 
     int size() const { return static_cast<int>(segments_.size()); }
     SegmentShape<double> shape(int segment) const;

@@ -72,8 +72,8 @@ std::vector<int> bodies_of_nodes(const Model& model) {
     return body;
 }
 
-void check_runnable(const Scene& scene, Problems& problems) {
-    const Model& model = *scene.model;
+void check_runnable(const HostScene& scene, Problems& problems) {
+    const Model& model = *scene.host;
     const auto conditions = node_conditions(model);
     const auto body = bodies_of_nodes(model);
     const auto released = releasable(model);

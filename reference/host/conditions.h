@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/deck/problem.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21 {
 
@@ -28,6 +28,6 @@ std::vector<int> bodies_of_nodes(const Model& model);
 
 /// What the host cannot march: a free node of a deformable element (its element forces are not computed in this
 /// version), a free node or tool without mass, no end time. All problems at once.
-void check_runnable(const Scene& scene, Problems& problems);
+void check_runnable(const HostScene& scene, Problems& problems);
 
 }  // namespace type21

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/host/state.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21 {
 

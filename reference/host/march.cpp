@@ -14,7 +14,7 @@ namespace {
 
 /// Inacti 3: the node is moved out along nu until delta = g. The projection changes a little as the node moves, so
 /// again.
-void move_out_initial_penetrations(const Scene& scene, const std::vector<std::unique_ptr<ContactMethod>>& contacts,
+void move_out_initial_penetrations(const HostScene& scene, const std::vector<std::unique_ptr<ContactMethod>>& contacts,
                                    HostState& state) {
     constexpr int rounds = 20;
     for (size_t i = 0; i < contacts.size(); ++i) {
@@ -166,8 +166,9 @@ void check_normals(const Model& model, const HostState& state, const std::vector
 
 }  // namespace
 
-void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe, const MarchOptions& options) {
-    const Model& model = *scene.model;
+void march(const HostScene& scene, const MakeContact& make_contact, const Observer& observe,
+           const MarchOptions& options) {
+    const Model& model = *scene.host;
     std::vector<std::unique_ptr<ContactMethod>> contacts;
     contacts.reserve(model.interfaces.size());
     for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)

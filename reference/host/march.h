@@ -1,4 +1,4 @@
-/// @file The march: explicit time integration of a Scene (formulation section 11).
+/// @file The march: explicit time integration of a HostScene (formulation section 11).
 #pragma once
 
 #include <functional>
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/contact/contact.h"
-#include "reference/host/motion.h"
+#include "reference/contract/contact_method.h"
+#include "reference/contract/motion.h"
 #include "reference/host/thickness_history.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21 {
 
@@ -45,7 +45,7 @@ struct CycleRecord {
     const std::vector<Vec3>* reaction = nullptr;          ///< per node, cumulative impulse REAC
     const std::vector<Vec3>* reaction_moment = nullptr;   ///< per node
     const std::vector<double>* temperature = nullptr;     ///< per node, after the heat of the cycle; empty without heat
-    const std::vector<std::unique_ptr<ContactMethod>>* methods = nullptr;  ///< who computed them: funnel, rooms
+    const std::vector<std::unique_ptr<ContactMethod>>* methods = nullptr;  ///< who computed them: stage_counts, rooms
     bool last = false;
 };
 
@@ -66,7 +66,7 @@ struct MarchOptions {
 
 /// Runs the scene to its end time. observe is called once a cycle, before the next one starts.
 /// @throws RunStopped naming node, cycle and time; what was observed so far stays valid.
-void march(const Scene& scene, const MakeContact& make_contact, const Observer& observe,
+void march(const HostScene& scene, const MakeContact& make_contact, const Observer& observe,
            const MarchOptions& options = {});
 
 }  // namespace type21

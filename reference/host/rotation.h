@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21 {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "reference/contract/motion.h"
 #include "reference/host/conditions.h"
-#include "reference/host/motion.h"
 #include "reference/host/rotation.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21 {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/contact/tool_damping.h"
-
 namespace type21 {
 
 namespace {
@@ -34,12 +32,12 @@ double damped_step(double inertia, double stiffness, double damping) {
 
 }  // namespace
 
-TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
-    const Model& model = *scene.model;
+TimeStep::TimeStep(const HostScene& scene) : scene_(scene) {
+    const Model& model = *scene.host;
     for (const Interface& interface : model.interfaces) {
         reach_.push_back(reach_of(interface, interface.smallest_gap_raw, interface.largest_gap));
         const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(interface.tool)];
-        inertia_.push_back(reference::smallest_inertia(tool.inertia));
+        inertia_.push_back(smallest_inertia(tool.inertia));
         Vec3 farthest = Vec3::Zero();
         for (const int node : interface.main_nodes) {
             const Vec3 arm = model.nodes.position[static_cast<size_t>(node)] - tool.center;
@@ -50,7 +48,7 @@ TimeStep::TimeStep(const Scene& scene) : scene_(scene) {
 }
 
 double TimeStep::next(const HostState& state, const std::vector<ContactStep>& contacts) {
-    const EngineControl& engine = scene_.model->engine;
+    const EngineControl& engine = scene_.host->engine;
     limits_.nodal = engine.step_scale * nodal_limit(state, contacts);
     limits_.kinematic = kinematic_limit(state, contacts);
     limits_.thermal = engine.step_scale * thermal_limit(contacts);
@@ -66,7 +64,7 @@ double TimeStep::next(const HostState& state, const std::vector<ContactStep>& co
 }
 
 double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const {
-    const Model& model = *scene_.model;
+    const Model& model = *scene_.host;
     std::vector<double> stiffness(state.position.size(), 0.0);
     double limit = infinite;
     for (size_t i = 0; i < contacts.size(); ++i) {
@@ -87,7 +85,7 @@ double TimeStep::nodal_limit(const HostState& state, const std::vector<ContactSt
 }
 
 double TimeStep::kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts) {
-    const Model& model = *scene_.model;
+    const Model& model = *scene_.host;
     double limit = infinite;
     for (size_t i = 0; i < model.interfaces.size(); ++i) {
         const Interface& interface = model.interfaces[i];
@@ -111,7 +109,7 @@ double TimeStep::kinematic_limit(const HostState& state, const std::vector<Conta
 }
 
 double TimeStep::thermal_limit(const std::vector<ContactStep>& contacts) const {
-    const Model& model = *scene_.model;
+    const Model& model = *scene_.host;
     double limit = infinite;
     if (model.nodal_heat_capacity.empty()) return limit;
     std::vector<double> conductance(model.nodal_heat_capacity.size(), 0.0);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/contact/contact_step.h"
+#include "reference/contract/contact_step.h"
 #include "reference/host/state.h"
 
 namespace type21 {
@@ -18,7 +18,7 @@ struct StepLimits {
 /// Remembers the smallest c of each interface.
 class TimeStep {
   public:
-    explicit TimeStep(const Scene& scene);
+    explicit TimeStep(const HostScene& scene);
 
     /// dt2 after the contact of cycle n: the constant step of /DTIX when its two values are equal; else the first value
     /// in the first cycle, and then the least of the nodal, the kinematic and the thermal limit, the second value of
@@ -33,7 +33,7 @@ class TimeStep {
     double kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts);
     double thermal_limit(const std::vector<ContactStep>& contacts) const;
 
-    Scene scene_;
+    HostScene scene_;
     std::vector<double> reach_;    ///< smallest c so far, per interface [length]
     std::vector<Vec3> farthest_;   ///< main node farthest from x_G, in the tool frame, per interface [length]
     std::vector<double> inertia_;  ///< smallest principal inertia of the tool, per interface [mass length^2]

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "reference/contract/mesh.h"
 #include "reference/deck/deck.h"
-#include "reference/model/mesh.h"
 #include "reference/model/units.h"
 
 namespace type21 {

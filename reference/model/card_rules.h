@@ -6,12 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "reference/model/interface_judge.h"
+#include "reference/contract/effects.h"
+#include "reference/model/card_validator.h"
 #include "reference/model/sourced_rules.h"
 
 namespace type21 {
-
-inline constexpr double no_limit = 1e30;  ///< the page's "1030"
 
 bool among(int value, std::initializer_list<int> allowed);
 

@@ -1,4 +1,6 @@
 /// @file Every field of the twelve lines as text, for `type21 check` and run.json.
+#include "reference/model/field_table.h"
+
 #include <fmt/format.h>
 
 #include "reference/model/interface_fields.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/model/as_built.h"
+#include "reference/contract/departures.h"
 #include "reference/model/units.h"
 
 namespace type21 {

@@ -82,7 +82,7 @@ void apply_friction_model(const InterfaceJudge& judge) {
 
 void note_without_friction(const InterfaceJudge& judge) {
     Interface& it = judge.interface;
-    if (rubs(judge.model, it)) return;
+    if (has_friction(judge.model, it)) return;
     const std::string_view reason = "the interface has no friction";
     unused(judge, "Pskid", it.pskid < no_limit, reason);
     unused(judge, "Fheat", it.ithe != 0 && it.fheat != 0, reason);
@@ -91,10 +91,6 @@ void note_without_friction(const InterfaceJudge& judge) {
 }
 
 }  // namespace
-
-bool uses_friction_function(const Interface& interface) {
-    return interface.fct_idf != 0 && interface.fric_id == 0 && interface.ifric == 0;
-}
 
 void check_friction_card(const InterfaceJudge& judge) {
     const Interface& it = judge.interface;
@@ -125,21 +121,6 @@ void apply_friction(const InterfaceJudge& judge) {
     if (it.xfreq == 0) idle(it.ifiltr, 0, "Xfreq 0: no filter");
     default_for_zero(it.ascalef, 1.0, "0 means 1");
     note_without_friction(judge);
-}
-
-bool rubs(const Model& model, const Interface& interface) {
-    if (interface.ifric != 0) return true;
-    if (interface.friction_model < 0) return interface.fric > 0;
-    const FrictionModel& friction = model.friction_models.at(static_cast<size_t>(interface.friction_model));
-    return friction.fallback.fric > 0 ||
-           std::any_of(friction.pairs.begin(), friction.pairs.end(),
-                       [](const FrictionPair& pair) { return pair.coefficients.fric > 0; });
-}
-
-bool filters_friction(const Model& model, const Interface& interface) {
-    const bool of_card = interface.friction_model >= 0 && model.as_built.has(Departure::D28) &&
-                         interface.card_ifiltr != 0 && interface.card_xfreq != 0;
-    return rubs(model, interface) && (of_card || (interface.ifiltr != 0 && interface.xfreq != 0));
 }
 
 }  // namespace type21

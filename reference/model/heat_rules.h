@@ -1,7 +1,7 @@
 /// @file Heat of one card: lines 10 and 11, their distances, and the materials that they ask for.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

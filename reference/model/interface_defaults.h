@@ -1,7 +1,7 @@
 /// @file The defaults of the card, and what the departures put in their place.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

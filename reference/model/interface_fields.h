@@ -6,7 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "reference/model/interface.h"
+#include "reference/contract/interface.h"
+#include "reference/model/units.h"
 
 namespace type21 {
 

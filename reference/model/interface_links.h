@@ -1,7 +1,7 @@
 /// @file The ids of a card turned into indices of the Model.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

@@ -1,7 +1,7 @@
 /// @file What the card may say: ranges, fields that exclude each other, fields that nobody uses.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

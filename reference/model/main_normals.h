@@ -1,7 +1,7 @@
 /// @file Do the main normals look at the blank? A look at time 0, before anything moves.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

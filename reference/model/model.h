@@ -1,4 +1,4 @@
-/// @file The Model: what the deck means, every default resolved.
+/// @file The Model: what a deck means, every default resolved: what the contact sees, and what drives it.
 #pragma once
 
 #include <map>
@@ -6,10 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/deck/deck.h"
-#include "reference/model/as_built.h"
-#include "reference/model/interface.h"
-#include "reference/model/mesh.h"
+#include "reference/contract/scene.h"
 #include "reference/model/motion_conditions.h"
 #include "reference/model/units.h"
 
@@ -38,7 +35,8 @@ struct EngineControl {
     double smallest_step = 0;            ///< /DT/NODA[/STOP]: the run stops below it [time]
 };
 
-struct Model {
+/// All of a deck. What the contact may see of it is the base; the rest is for the host and the histories.
+struct Model : ContactModel {
     std::string deck_path;
     std::string run_name;
     std::string title;
@@ -46,18 +44,9 @@ struct Model {
     UnitSystem input_units;             ///< of /BEGIN: those in which the deck is written
     UnitSystem units;                   ///< work units of /BEGIN: those of every number in the Model
     std::map<Id, UnitSystem> unit_ids;  ///< /UNIT
-    AsBuilt as_built;
 
-    Nodes nodes;
-    std::vector<Material> materials;
     std::vector<Property> properties;
-    std::vector<Part> parts;
-    std::vector<Shell> shells;
-    std::vector<Surface> surfaces;
     std::vector<NodeGroup> groups;
-    std::vector<Function> functions;
-    std::vector<TimeSensor> sensors;
-    std::vector<RigidBody> rigid_bodies;
     std::vector<BoundaryCondition> boundary_conditions;
     std::vector<ImposedMotion> imposed_motions;
     std::vector<InitialVelocity> initial_velocities;
@@ -65,8 +54,6 @@ struct Model {
     std::vector<AddedMass> added_masses;
     std::vector<InitialTemperature> initial_temperatures;
     std::vector<ImposedTemperature> imposed_temperatures;
-    std::vector<FrictionModel> friction_models;
-    std::vector<Interface> interfaces;
     std::vector<HistoryRequest> histories;
     EngineControl engine;
 
@@ -74,8 +61,5 @@ struct Model {
     std::vector<double>
         nodal_heat_capacity;  ///< rho Cp with the shares of the mass; empty without /HEAT/MAT [energy/temperature]
 };
-
-/// Reads meaning into a deck. All problems are collected; the model is complete only when problems has no error.
-Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems);
 
 }  // namespace type21

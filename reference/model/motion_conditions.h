@@ -1,22 +1,12 @@
-/// @file What drives nodes and tools: functions, boundary conditions, imposed motion, loads, rigid bodies.
+/// @file What drives the nodes of a scene: boundary conditions, imposed motion, loads, masses, temperatures.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "reference/model/mesh.h"
+#include "reference/contract/mesh.h"
 
 namespace type21 {
-
-/// Piecewise linear, extrapolated linearly beyond both ends; one point is a constant.
-struct Function {
-    Id id = 0;
-    std::string title;
-    std::vector<double> x;  ///< ascending
-    std::vector<double> y;
-
-    double operator()(double abscissa) const;
-};
 
 /// Degrees of freedom 0..5: translations X Y Z, rotations XX YY ZZ.
 struct BoundaryCondition {
@@ -80,53 +70,6 @@ struct ImposedTemperature {
     double scale_y = 1;  ///< [temperature]
     double start = 0;    ///< [time]
     double stop = 1e30;  ///< [time]
-};
-
-/// On from `delay` on (and off again at `stop`).
-struct TimeSensor {
-    Id id = 0;
-    std::string title;
-    double delay = 0;    ///< [time]
-    double stop = 1e30;  ///< [time]
-
-    bool on(double time) const { return time >= delay && time < stop; }
-};
-
-/// /RBODY: its nodes move as one about the main node.
-struct RigidBody {
-    Id id = 0;
-    std::string title;
-    int main_node = -1;
-    std::vector<int> nodes;       ///< secondary nodes of the body, ascending, without the main node
-    double mass = 0;              ///< of the whole body, by its ICoG rule [mass]
-    Mat3 inertia = Mat3::Zero();  ///< about the centre, global axes at time 0 [mass length^2]
-    Vec3 center = Vec3::Zero();   ///< position of the main node after ICoG has moved it [length]
-    int icog = 1;
-    bool spherical = false;  ///< Ispher
-};
-
-/// One part pair of /FRICTION, or its default.
-struct FrictionCoefficients {
-    double fric = 0;
-    std::array<double, 6> c{};
-};
-
-struct FrictionPair {
-    int part_a = -1;
-    int part_b = -1;
-    FrictionCoefficients coefficients;
-};
-
-/// /FRICTION: replaces the friction fields of the interfaces that name it.
-struct FrictionModel {
-    Id id = 0;
-    std::string title;
-    int ifric = 0;
-    int ifiltr = 0;
-    double xfreq = 0;
-    FrictionCoefficients fallback;
-    std::vector<FrictionPair> pairs;
-    int line = 0;
 };
 
 }  // namespace type21

@@ -1,7 +1,7 @@
 /// @file Thickness and gap of each node at time 0, Gapmin's and DEPTH's defaults.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

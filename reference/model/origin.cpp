@@ -1,4 +1,4 @@
-#include "reference/model/origin.h"
+#include "reference/contract/origin.h"
 
 #include <fmt/format.h>
 

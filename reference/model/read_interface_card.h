@@ -1,8 +1,8 @@
 /// @file The twelve data lines of /INTER/TYPE21, as written.
 #pragma once
 
+#include "reference/contract/interface.h"
 #include "reference/model/card_reader.h"
-#include "reference/model/interface.h"
 
 namespace type21 {
 

@@ -1,3 +1,5 @@
+#include "reference/model/resolve.h"
+
 #include <fmt/format.h>
 
 #include "reference/model/model.h"

@@ -1,6 +1,8 @@
 /// @file The TYPE21 cards: twelve lines read, every default resolved, everything of time 0 computed.
 #pragma once
 
+#include "reference/deck/deck.h"
+#include "reference/deck/problem.h"
 #include "reference/model/model.h"
 
 namespace type21 {

@@ -1,7 +1,7 @@
 /// @file The blank: its nodes and what each brings to the contact at time 0.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

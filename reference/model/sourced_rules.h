@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "reference/model/origin.h"
+#include "reference/contract/origin.h"
 
 namespace type21 {
 

@@ -1,7 +1,7 @@
 /// @file The tool: its nodes, whether it turns, and whether both sides are what they must be.
 #pragma once
 
-#include "reference/model/interface_judge.h"
+#include "reference/model/card_validator.h"
 
 namespace type21 {
 

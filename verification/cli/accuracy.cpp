@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "verification/accuracy/accuracy_report.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/performance/accuracy/accuracy_report.h"
 
 namespace type21::cli {
 namespace {

@@ -1,4 +1,6 @@
-#include "reference/model/as_built.h"
+#include "reference/model/as_built_option.h"
+
+#include "reference/contract/departures.h"
 #include "verification/cli/verbs.h"
 
 namespace type21::cli {
@@ -7,7 +9,7 @@ namespace {
 /// Empty when the text names a set of departures, otherwise what is wrong.
 std::string departures_trouble(const std::string& text) {
     Problems problems;
-    AsBuilt::parse(text, problems);
+    parse_as_built(text, problems);
     std::string trouble;
     for (const Problem& problem : problems.list())
         trouble += (trouble.empty() ? "" : "\n") + to_text(problem);

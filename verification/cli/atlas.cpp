@@ -1,4 +1,4 @@
-#include "verification/atlas/atlas.h"
+#include "verification/decisions/atlas/atlas.h"
 
 #include <algorithm>
 #include <memory>
@@ -7,7 +7,7 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/build_info.h"
+#include "verification/support/build_info.h"
 
 namespace type21::cli {
 namespace {

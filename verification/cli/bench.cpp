@@ -1,4 +1,4 @@
-#include "verification/bench/bench.h"
+#include "verification/performance/bench/bench.h"
 
 #include <chrono>
 #include <cstdio>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/run_deck.h"
 
 namespace type21::cli {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "reference/host/prepare_deck.h"
 #include "verification/cli/check_output.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/run_deck.h"
 
 namespace type21::cli {
 namespace {
@@ -22,7 +22,7 @@ int check(const CheckArguments& options) {
         if (!options.json.empty()) write_report(options.json, refused_json(options.deck, prepared.problems));
         return exit_deck;
     }
-    const Scene& scene = *prepared.scene;
+    const HostScene& scene = *prepared.scene;
     std::vector<TimeZero> zero;
     for (size_t i = 0; i < scene.model->interfaces.size(); ++i)
         zero.push_back(time_zero(scene, static_cast<int>(i)));

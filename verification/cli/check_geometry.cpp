@@ -18,8 +18,8 @@ Json segments_json(const Model& model, int surface) {
 
 }  // namespace
 
-Json geometry_json(const Scene& scene) {
-    const Model& model = *scene.model;
+Json geometry_json(const HostScene& scene) {
+    const Model& model = *scene.host;
     Json nodes = Json::array();
     for (size_t i = 0; i < model.nodes.id.size(); ++i) {
         const Vec3& x = model.nodes.position[i];

@@ -1,6 +1,6 @@
 #include "verification/cli/check_output.h"
-#include "verification/record/build_info.h"
-#include "verification/record/run_summary.h"
+#include "verification/results/record/run_summary.h"
+#include "verification/support/build_info.h"
 
 namespace type21::cli {
 namespace {
@@ -39,7 +39,7 @@ Json time_zero_json(const Model& model, const TimeZero& zero) {
 
 }  // namespace
 
-Json check_json(const Scene& scene, const std::vector<TimeZero>& zero, const Problems& problems) {
+Json check_json(const HostScene& scene, const std::vector<TimeZero>& zero, const Problems& problems) {
     Json json = {{"program", "type21"},
                  {"version", build_info().version},
                  {"valid", true},
@@ -47,7 +47,7 @@ Json check_json(const Scene& scene, const std::vector<TimeZero>& zero, const Pro
     json.update(model_json(scene));
     json["sizes"] = {{"nodes", scene.model->nodes.size()}, {"shells", scene.model->shells.size()}};
     for (size_t i = 0; i < zero.size(); ++i)
-        json["interfaces"][i]["time_zero"] = time_zero_json(*scene.model, zero[i]);
+        json["interfaces"][i]["time_zero"] = time_zero_json(*scene.host, zero[i]);
     return json;
 }
 

@@ -6,21 +6,21 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reference/model/scene.h"
-#include "verification/measure/time_zero.h"
+#include "reference/model/host_scene.h"
+#include "verification/results/balance/time_zero.h"
 
 namespace type21::cli {
 
 /// Units, sizes, tools, and for each interface its fields, effects, time-0 quantities and initial penetrations (the
 /// first 20).
-std::string check_text(const Scene& scene, const std::vector<TimeZero>& zero);
+std::string check_text(const HostScene& scene, const std::vector<TimeZero>& zero);
 
 /// The same, with every initial penetration.
-nlohmann::ordered_json check_json(const Scene& scene, const std::vector<TimeZero>& zero, const Problems& problems);
+nlohmann::ordered_json check_json(const HostScene& scene, const std::vector<TimeZero>& zero, const Problems& problems);
 
 /// What can be drawn of the deck at time 0: `nodes` as [id, x, y, z] [length], and for each interface its `secondary`
 /// and `main` segments as lists of 3 or 4 node ids.
-nlohmann::ordered_json geometry_json(const Scene& scene);
+nlohmann::ordered_json geometry_json(const HostScene& scene);
 
 /// `{"valid": false, "problems": [...]}` of a deck that is refused.
 nlohmann::ordered_json refused_json(const std::string& deck, const Problems& problems);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/field_table.h"
 #include "verification/cli/check_output.h"
 
 namespace type21::cli {
@@ -80,8 +81,8 @@ std::string time_zero_text(const Model& model, const TimeZero& zero) {
 
 }  // namespace
 
-std::string check_text(const Scene& scene, const std::vector<TimeZero>& zero) {
-    const Model& model = *scene.model;
+std::string check_text(const HostScene& scene, const std::vector<TimeZero>& zero) {
+    const Model& model = *scene.host;
     std::string out = scene_text(model);
     for (size_t i = 0; i < model.interfaces.size(); ++i) {
         const Interface& interface = model.interfaces[i];

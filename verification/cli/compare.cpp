@@ -5,10 +5,10 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/compare/compare_file.h"
-#include "verification/compare/comparison_text.h"
-#include "verification/t01/t01_records.h"
-#include "verification/verify/case_file.h"
+#include "verification/criteria/cases/case_file.h"
+#include "verification/results/compare/compare_file.h"
+#include "verification/results/compare/comparison_text.h"
+#include "verification/results/t01/t01_records.h"
 
 namespace type21::cli {
 namespace {

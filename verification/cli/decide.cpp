@@ -1,4 +1,4 @@
-#include "verification/decide/decide.h"
+#include "verification/decisions/queries/decide.h"
 
 #include <memory>
 
@@ -6,9 +6,9 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/decide/decision_json.h"
-#include "verification/decide/decision_text.h"
-#include "verification/record/build_info.h"
+#include "verification/decisions/queries/decision_json.h"
+#include "verification/decisions/queries/decision_text.h"
+#include "verification/support/build_info.h"
 
 namespace type21::cli {
 namespace {
@@ -34,7 +34,7 @@ int decide_file(const DecideArguments& options) {
     nlohmann::ordered_json json = to_json(file);
     json["with"] = options.with;
     json["program"] = program_name();
-    json["funnel"] = to_json(tally.funnel);
+    json["stage_counts"] = to_json(tally.stage_counts);
     if (options.out.empty()) {
         fmt::print("{}\n", json.dump(1));
         fmt::print(stderr, "{}", to_text(tally));

@@ -1,9 +1,10 @@
+#include "reference/contract/departures.h"
+
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "reference/model/as_built.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
 

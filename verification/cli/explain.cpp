@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/criteria/cases/verify_cases.h"
 #include "verification/explain/account_json.h"
 #include "verification/explain/field_help.h"
-#include "verification/record/run_deck.h"
-#include "verification/verify/verify_cases.h"
 
 namespace type21::cli {
 namespace {
@@ -25,7 +25,7 @@ int explain_node(const ExplainArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.what, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
-    const Model& model = *prepared.scene->model;
+    const Model& model = *prepared.scene->host;
     try {
         const DeckAccount account =
             explain_deck(*prepared.scene, {*options.node, *options.time, options.interface}, prepared.options());

@@ -1,4 +1,4 @@
-#include "verification/fuzz/fuzz.h"
+#include "verification/decisions/fuzz/fuzz.h"
 
 #include <chrono>
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/fuzz/failure_file.h"
-#include "verification/fuzz/fuzz_text.h"
-#include "verification/record/build_info.h"
+#include "verification/decisions/fuzz/failure_file.h"
+#include "verification/decisions/fuzz/fuzz_text.h"
+#include "verification/support/build_info.h"
 
 namespace type21::cli {
 namespace {

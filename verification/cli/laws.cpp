@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/laws/law_report.h"
-#include "verification/record/contact_choice.h"
-#include "verification/record/run_deck.h"
+#include "verification/explain/law_report.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {
@@ -20,7 +20,7 @@ int run(const LawsArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
-    const UnitSystem& units = prepared.scene->model->units;
+    const UnitSystem& units = prepared.scene->host->units;
     const auto laws = law_points(*prepared.scene, contact_maker(options.with), prepared.options());
     fmt::print("{}", to_text(laws, units));
     if (!options.json.empty()) write_report(options.json, to_json(laws, units));

@@ -1,4 +1,4 @@
-#include "verification/lockstep/lockstep.h"
+#include "verification/criteria/lockstep/lockstep.h"
 
 #include <algorithm>
 #include <memory>
@@ -8,8 +8,8 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/lockstep/lockstep_report.h"
-#include "verification/verify/verify_cases.h"
+#include "verification/criteria/cases/verify_cases.h"
+#include "verification/criteria/lockstep/lockstep_report.h"
 
 namespace type21::cli {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/build_info.h"
-#include "verification/record/result_folder.h"
+#include "verification/results/record/result_folder.h"
+#include "verification/support/build_info.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/mutation/score.h"
-#include "verification/record/contact_choice.h"
-#include "verification/verify/verify_cases.h"
+#include "verification/criteria/cases/verify_cases.h"
+#include "verification/criteria/mutation/score.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "verification/record/run_deck.h"
+#include "verification/results/record/run_deck.h"
 
 namespace type21::cli {
 

@@ -5,10 +5,10 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/decide/decision_json.h"
-#include "verification/decide/decision_text.h"
-#include "verification/fuzz/failure_file.h"
-#include "verification/fuzz/judgement.h"
+#include "verification/decisions/fuzz/failure_file.h"
+#include "verification/decisions/fuzz/judgement.h"
+#include "verification/decisions/queries/decision_json.h"
+#include "verification/decisions/queries/decision_text.h"
 
 namespace type21::cli {
 namespace {

@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/progress.h"
 #include "verification/cli/run_output.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/contact_choice.h"
-#include "verification/record/run_deck.h"
+#include "verification/results/record/run_deck.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {
@@ -22,8 +23,8 @@ int run(const RunArguments& options) {
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
-    const Scene& scene = *prepared.scene;
-    Progress progress(scene.model->units.name(dim::time));
+    const HostScene& scene = *prepared.scene;
+    Progress progress(scene.host->units.name(dim::time));
     std::function<void(const RunProgress&)> report;
     if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
     const RunSummary summary =

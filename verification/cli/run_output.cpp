@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/decide/decision_text.h"
+#include "verification/decisions/queries/decision_text.h"
 
 namespace type21::cli {
 namespace {
@@ -26,7 +26,7 @@ std::string interface_text(const RunSummary& summary, const Model& model, size_t
         out += fmt::format("  deepest   {:.6g} {} at node {}, time {:.6g} {}\n", count.deepest, units.name(dim::length),
                            model.nodes.id[static_cast<size_t>(count.deepest_node)], count.deepest_time,
                            units.name(dim::time));
-    if (const std::string decisions = to_text(summary.funnel[i]); !decisions.empty()) out += "  " + decisions;
+    if (const std::string decisions = to_text(summary.stage_counts[i]); !decisions.empty()) out += "  " + decisions;
     out += fmt::format("  impulse on the tool, normal      {} {}\n", vector_text(totals.normal), impulse);
     out += fmt::format("                       tangential  {} {}\n", vector_text(totals.tangential), impulse);
     out +=
@@ -40,8 +40,8 @@ std::string interface_text(const RunSummary& summary, const Model& model, size_t
 
 }  // namespace
 
-std::string run_text(const RunSummary& summary, const Scene& scene, const std::string& folder) {
-    const Model& model = *scene.model;
+std::string run_text(const RunSummary& summary, const HostScene& scene, const std::string& folder) {
+    const Model& model = *scene.host;
     const std::string time = model.units.name(dim::time);
     std::string out = fmt::format("{}: {} cycles to time {:.9g} {}, steps {:.4g} to {:.4g} {}, {:.2f} s of wall time\n",
                                   name(summary.state), summary.cycles, summary.time, time, summary.smallest_step,

@@ -7,10 +7,10 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/record/build_info.h"
-#include "verification/record/contact_choice.h"
 #include "verification/stability/long_runs.h"
 #include "verification/stability/stability_report.h"
+#include "verification/support/build_info.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
-#include "verification/lockstep/lockstep_report.h"
-#include "verification/record/contact_choice.h"
+#include "verification/criteria/cases/verify_cases.h"
+#include "verification/criteria/lockstep/lockstep_report.h"
 #include "verification/report/check_report.h"
-#include "verification/verify/verify_cases.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {

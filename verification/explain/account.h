@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21 {
 

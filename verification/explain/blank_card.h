@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-#include "reference/model/interface.h"
+#include "reference/contract/interface.h"
 
 namespace type21 {
 

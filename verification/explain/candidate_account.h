@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/contact/inspect.h"
+#include "reference/cycle/inspect.h"
 
 namespace type21 {
 

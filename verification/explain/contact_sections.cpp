@@ -1,8 +1,8 @@
 /// @file The retained impact, where it lies, and what of the penetration is forgiven (formulation 4 to 6).
 #include <fmt/format.h>
 
-#include "reference/contact/exact/staged_impact.h"
-#include "verification/decide/decide.h"
+#include "reference/exact/staged_impact.h"
+#include "verification/decisions/queries/decide.h"
 #include "verification/explain/node_account.h"
 
 namespace type21 {

@@ -73,8 +73,8 @@ double offset_of_time_zero(const Contact& contact, const Inspect& inspect, const
 
 }  // namespace
 
-DeckAccount explain_deck(const Scene& scene, const ExplainRequest& request, const MarchOptions& options) {
-    const Model& model = *scene.model;
+DeckAccount explain_deck(const HostScene& scene, const ExplainRequest& request, const MarchOptions& options) {
+    const Model& model = *scene.host;
     const std::vector<Seat> places = places_of(model, request);
     const std::string unit = model.units.name(dim::time);
     const double latest = request.time * (1 + 1e-9);

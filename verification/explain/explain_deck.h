@@ -32,7 +32,7 @@ struct ExplainError : std::runtime_error {
 
 /// A cycle within a share of 1e-9 of the time counts as that time: times are sums of steps.
 /// @throws ExplainError, RunStopped where the run ends before the time
-DeckAccount explain_deck(const Scene& scene, const ExplainRequest& request, const MarchOptions& options = {});
+DeckAccount explain_deck(const HostScene& scene, const ExplainRequest& request, const MarchOptions& options = {});
 
 std::string account_text(const DeckAccount& account, const Model& model);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/field_table.h"
 #include "verification/explain/blank_card.h"
 
 namespace type21 {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/model/as_built.h"
+#include "reference/contract/departures.h"
 #include "reference/model/interface_fields.h"
 
 namespace type21 {

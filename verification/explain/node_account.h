@@ -25,7 +25,7 @@ struct NodeAccount {
 
 /// What an account is made from.
 struct AccountInput {
-    const Scene& scene;
+    const HostScene& scene;
     int interface = 0;  ///< index into Model::interfaces
     int node = 0;       ///< rank of the secondary node
     const reference::Inspect& inspect;
@@ -33,10 +33,10 @@ struct AccountInput {
     const ContactStep& step;
     const NodeBefore& before;
 
-    const Model& model() const { return *scene.model; }
+    const Model& model() const { return *scene.host; }
     const Interface& card() const { return scene.model->interfaces[static_cast<size_t>(interface)]; }
     int model_node() const { return card().secondary.node[static_cast<size_t>(node)]; }
-    std::string unit(Dimension dimension) const { return scene.model->units.name(dimension); }
+    std::string unit(Dimension dimension) const { return scene.host->units.name(dimension); }
 };
 
 NodeAccount account_node(const AccountInput& input);

@@ -5,6 +5,7 @@
 
 #include "reference/contact/friction_filter.h"
 #include "reference/contact/normal_force.h"
+#include "reference/model/model.h"
 
 namespace type21 {
 

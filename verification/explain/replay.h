@@ -2,9 +2,10 @@
 /// ContactStep does not carry (trial force, limits, factors), and a check of what it does.
 #pragma once
 
-#include "reference/contact/contact_step.h"
 #include "reference/contact/friction_increment.h"
-#include "reference/contact/inspect.h"
+#include "reference/contract/contact_step.h"
+#include "reference/cycle/inspect.h"
+#include "reference/model/model.h"
 
 namespace type21 {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "verification/record/build_info.h"
 #include "verification/report/check_report.h"
+#include "verification/support/build_info.h"
 
 namespace type21 {
 namespace {

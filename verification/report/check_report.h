@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/verify/check_result.h"
+#include "verification/criteria/cases/check_result.h"
 
 namespace type21 {
 

@@ -101,11 +101,11 @@ void BenchScene::load(int node, int direction, double force, double ramp) {
     model_.loads.push_back(load);
 }
 
-Scene BenchScene::scene() const {
+HostScene BenchScene::scene() const {
     return plan(std::make_shared<const Model>(model_));
 }
 
-LedNode::LedNode(const Scene& scene, const MakeContact& make_contact)
+LedNode::LedNode(const HostScene& scene, const MakeContact& make_contact)
     : scene_(scene),
       contact_(make_contact(scene, 0)),
       position_(scene.model->nodes.position),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reference/host/march.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 #include "verification/stability/tool_shapes.h"
 
 namespace type21::stability {
@@ -31,7 +31,7 @@ class BenchScene {
     /// A load in direction 0 to 2 [N]: from 0 to its value in `ramp` [s], then constant; 0: at once.
     void load(int node, int direction, double force, double ramp);
 
-    Scene scene() const;
+    HostScene scene() const;
 
   private:
     int add_node(Id id, const Vec3& x);
@@ -44,12 +44,12 @@ class BenchScene {
 /// One node that is led through the seam without a host: position and velocity of each cycle are given.
 class LedNode {
   public:
-    LedNode(const Scene& scene, const MakeContact& make_contact);
+    LedNode(const HostScene& scene, const MakeContact& make_contact);
     /// One cycle of length `step` [s] that ends at x [mm], reached with velocity v [mm/s].
     NodeContact to(const Vec3& x, const Vec3& v, double step);
 
   private:
-    Scene scene_;
+    HostScene scene_;
     std::unique_ptr<ContactMethod> contact_;
     std::vector<Vec3> position_, velocity_;
     double time_ = 0;

@@ -67,7 +67,7 @@ LongRun bouncing(const MakeContact& make_contact, long cycles, double viss) {
     bench.card().viss.value = viss;
     bench.load(bench.blank_node(0), 2, -node_mass * acceleration, 0);
     bench.steps(step, cycles);
-    const Scene scene = bench.scene();
+    const HostScene scene = bench.scene();
     const auto at = static_cast<size_t>(bench.blank_node(0));
 
     Bounces bounces;

@@ -137,7 +137,7 @@ LongRun turning(const MakeContact& make_contact, long cycles) {
     bench.hold(bench.blank_node(0));
     bench.turn_tool(5, 2 * std::numbers::pi / (points * step));
     bench.steps(step, cycles);
-    const Scene scene = bench.scene();
+    const HostScene scene = bench.scene();
 
     std::vector<double> second(points, 0.0);
     double largest = 0;

@@ -60,7 +60,7 @@ LongRun resting(const MakeContact& make_contact, long cycles, double share) {
         bench.load(bench.blank_node(i), 1, tangential * pull.y(), ramp);
     }
     bench.steps(step, cycles);
-    const Scene scene = bench.scene();
+    const HostScene scene = bench.scene();
 
     // The load is up at a fifth of the run. Two windows behind it: from 3/10 to 6/10 and from 7/10 to the end.
     std::array<std::array<Watch, 2>, 4> watch;

@@ -48,7 +48,7 @@ SlidingRow slide_over(const MakeContact& make_contact, Shape shape, Mesh mesh) {
     const FacetContact facets(tool);
     BenchScene bench(tool, {on_path(shape, 0)});
     bench.card().fric.value = path_friction;
-    const Scene scene = bench.scene();
+    const HostScene scene = bench.scene();
     for (size_t i = 0; i < path_steps; ++i) {
         const double h = first_step / std::pow(2.0, static_cast<double>(i));
         const long cycles = std::lround(path_length / h);

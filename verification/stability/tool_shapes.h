@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/model/vector.h"
+#include "reference/contract/vector.h"
 
 namespace type21::stability {
 

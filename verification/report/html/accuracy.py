@@ -1,4 +1,4 @@
-"""Accuracy against time, from build/report/accuracy.json (verification/accuracy/README.md has its format)."""
+"""Accuracy against time, from build/report/accuracy.json (verification/performance/accuracy/README.md has its format)."""
 
 from pathlib import Path
 
@@ -111,11 +111,11 @@ def section(found, store):
     if not isinstance(found, dict) or not found.get("rows"):
         return None
     about = {name: found[name] for name in ("command", "cpu", "compiler", "flags", "flags_optimized", "repeats", "seed", "clock", "commit") if found.get(name) not in (None, "")}
-    out = {"about": about, "scenes": found["scenes"], "rows": found["rows"], "figures": figures_of(found, store), "funnel": None, "effects": None}
+    out = {"about": about, "scenes": found["scenes"], "rows": found["rows"], "figures": figures_of(found, store), "stage_counts": None, "effects": None}
     code = digest(HERE / "accuracy_figures.py", HERE / "curves.py")
-    if found["funnel"]:
-        svg = store.get("accuracy-funnel", digest(code, repr(found["funnel"])), lambda: draw_funnel(found["funnel"]))
-        out["funnel"] = {"svg": svg, "title": "Share of the decisions that each stage settles", "note": note_on_funnel(found["funnel"]), "rows": found["funnel"]}
+    if found["stage_counts"]:
+        svg = store.get("accuracy-stage_counts", digest(code, repr(found["stage_counts"])), lambda: draw_funnel(found["stage_counts"]))
+        out["stage_counts"] = {"svg": svg, "title": "Share of the decisions that each stage settles", "note": note_on_funnel(found["stage_counts"]), "rows": found["stage_counts"]}
     if found["effects"]:
         svg = store.get("accuracy-effects", digest(code, repr(found["effects"])), lambda: draw_effects(found["effects"]))
         out["effects"] = {"svg": svg, "title": "What each effect costs on and off", "note": note_on_effects(found["effects"]), "rows": found["effects"]}

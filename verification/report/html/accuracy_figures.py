@@ -114,7 +114,7 @@ def draw_funnel(funnels):
         axes.set_title(implementation)
         axes.legend(loc="lower left", bbox_to_anchor=(0.16, 0.99), ncol=5, handlelength=1.0, columnspacing=1.0, borderaxespad=0.1, fontsize=7)
     panels[-1, 0].set_xlabel("share of the decisions [%]; the time is that of one that ends in the stage")
-    return curves.as_svg(figure, "accuracy-funnel")
+    return curves.as_svg(figure, "accuracy-stage_counts")
 
 
 def draw_effects(effects):

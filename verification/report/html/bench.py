@@ -1,4 +1,4 @@
-"""Speed of the optimized implementation, from build/report/bench.json (verification/bench/README.md has its format). What it leaves out is not shown."""
+"""Speed of the optimized implementation, from build/report/bench.json (verification/performance/bench/README.md has its format). What it leaves out is not shown."""
 
 from pathlib import Path
 

@@ -44,7 +44,7 @@ def family(program, file):
         "queries": len(answers),
         "kinds": {kind: sum(answer["kind"] == kind for answer in answers) for kind in ("contact", "proximity", "none")},
         "wrong": {"reference": differing(truth, staged), "double": differing(truth, double)},
-        "funnel": staged["funnel"],
+        "stage_counts": staged["stage_counts"],
     }
 
 

@@ -30,7 +30,7 @@ def add_funnel(total, decisions):
 def over_runs(runs):
     """Sums over the run.json of all runs."""
     total = {"runs": len(runs), "cycles": 0, "cycles_in_contact": 0, "in_contact": 0, "nodes": 0, "without_contact": 0, "interfaces": 0,
-             "stopped": 0, "funnel": {"settled": {}, "nothing_near": 0, "double_wrong": 0}}
+             "stopped": 0, "stage_counts": {"settled": {}, "nothing_near": 0, "double_wrong": 0}}
     for run in runs:
         total["cycles"] += run["cycles"]
         total["stopped"] += run["status"] != "completed"
@@ -42,9 +42,9 @@ def over_runs(runs):
             total["cycles_in_contact"] += contact["cycles_in_contact"]
             total["in_contact"] += contact["most_in_contact"]
             total["nodes"] += contact["secondary_nodes"]
-            add_funnel(total["funnel"], result["decisions"])
+            add_funnel(total["stage_counts"], result["decisions"])
         total["without_contact"] += all(result["contact"]["most_in_contact"] == 0 for result in run["results"])
-    total["funnel"]["decided"] = sum(total["funnel"]["settled"].values())
+    total["stage_counts"]["decided"] = sum(total["stage_counts"]["settled"].values())
     return total
 
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21::test {
 
@@ -112,7 +112,7 @@ class SmallScene {
         model_.loads.push_back(load);
     }
 
-    Scene scene() const { return plan(std::make_shared<const Model>(model_)); }
+    HostScene scene() const { return plan(std::make_shared<const Model>(model_)); }
 
   private:
     int add_node(Id id, const Vec3& x) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
 #include "reference/contact/retained_impact.h"
+#include "reference/cycle/contact.h"
 #include "small_scene.h"
 
 namespace type21::reference {

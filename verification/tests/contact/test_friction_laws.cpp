@@ -8,6 +8,7 @@
 #include "reference/contact/friction_increment.h"
 #include "reference/contact/friction_law.h"
 #include "reference/contact/skid_line.h"
+#include "reference/model/model.h"
 
 namespace type21::reference {
 namespace {

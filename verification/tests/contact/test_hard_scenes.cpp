@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
+#include "reference/cycle/contact.h"
 #include "small_scene.h"
 
 namespace type21::reference {

@@ -5,8 +5,9 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
 #include "reference/contact/heat_exchange.h"
+#include "reference/cycle/contact.h"
+#include "reference/model/model.h"
 #include "small_scene.h"
 
 namespace type21::reference {
@@ -179,11 +180,11 @@ TEST(Heat, WhatTheToolGivesTheBlankGets) {
 // @page field Ithe
 TEST(Heat, WithoutItheNothingThermalIsThere) {
     SmallScene cold = over_a_square({{0.2, 0.1, 0.3}});
-    for (const RoomSize& room : Contact(cold.scene(), 0).rooms())
+    for (const EffectMemory& room : Contact(cold.scene(), 0).memory_by_effect())
         EXPECT_NE(room.effect, Effect::heat);
     Hot hot(0.3);
     bool found = false;
-    for (const RoomSize& room : Contact(hot.small.scene(), 0).rooms())
+    for (const EffectMemory& room : Contact(hot.small.scene(), 0).memory_by_effect())
         found = found || room.effect == Effect::heat;
     EXPECT_TRUE(found);
 }

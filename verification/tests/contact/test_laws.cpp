@@ -11,6 +11,7 @@
 #include "reference/contact/penetration_offset.h"
 #include "reference/contact/stiffness.h"
 #include "reference/contact/tool_damping.h"
+#include "reference/model/model.h"
 
 namespace type21::reference {
 namespace {

@@ -8,6 +8,7 @@
 #include "reference/contact/deletion.h"
 #include "reference/contact/gap_growth.h"
 #include "reference/contact/pmax_limit.h"
+#include "reference/model/model.h"
 
 namespace type21::reference {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "problem_search.h"
+#include "reference/deck/deck.h"
 
 namespace type21 {
 namespace {

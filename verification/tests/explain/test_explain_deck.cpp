@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "../contact/small_scene.h"
+#include "reference/host/prepare_deck.h"
 #include "verification/explain/account_json.h"
 #include "verification/explain/explain_deck.h"
-#include "verification/record/run_deck.h"
 
 namespace type21 {
 namespace {
@@ -65,7 +65,7 @@ class EveryForce : public testing::TestWithParam<Scenario> {};
 // node, in scenes with each effect.
 TEST_P(EveryForce, IsTheRunsToTheLastBit) {
     const PreparedDeck deck = prepared(GetParam().name, GetParam().as_built);
-    const Scene& scene = *deck.scene;
+    const HostScene& scene = *deck.scene;
     const Interface& card = scene.model->interfaces[0];
     const History run = history(deck);
     const size_t rank = run.busiest();
@@ -76,7 +76,7 @@ TEST_P(EveryForce, IsTheRunsToTheLastBit) {
         ASSERT_EQ(account.cycle, static_cast<long>(cycle));
         ASSERT_EQ(account.interfaces.size(), 1u);
         const NodeAccount& of = account.interfaces[0];
-        EXPECT_TRUE(of.agrees) << "cycle " << cycle << "\n" << account_text(account, *scene.model);
+        EXPECT_TRUE(of.agrees) << "cycle " << cycle << "\n" << account_text(account, *scene.host);
         ASSERT_EQ(of.node.force, run.nodes[cycle][rank].force) << "cycle " << cycle;
         if (!of.replay.impact) continue;
         EXPECT_EQ(of.replay.force, run.nodes[cycle][rank].force) << "cycle " << cycle;
@@ -198,7 +198,7 @@ TEST(ExplainDeck, WhatIsNotThereIsNamed) {
 TEST(ExplainDeck, AnOrdinaryNodeFitsOnAPage) {
     const PreparedDeck deck = prepared("cylinder_slide", "");
     const DeckAccount account = explain_deck(*deck.scene, {1014, 4e-4, {}});
-    const std::string text = account_text(account, *deck.scene->model);
+    const std::string text = account_text(account, *deck.scene->host);
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 62) << text;
 }
 

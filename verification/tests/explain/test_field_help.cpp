@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "verification/criteria/cases/covers.h"
+#include "verification/criteria/cases/verify_cases.h"
 #include "verification/explain/blank_card.h"
 #include "verification/explain/field_help.h"
-#include "verification/verify/covers.h"
-#include "verification/verify/verify_cases.h"
 
 namespace type21 {
 namespace {

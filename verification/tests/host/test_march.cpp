@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../contact/small_scene.h"
+#include "reference/cycle/contact.h"
 #include "reference/host/conditions.h"
 #include "reference/host/march.h"
 #include "reference/host/rotation.h"
@@ -273,7 +274,7 @@ TEST(TimeStep, NodalAndKinematicLimits) {
     small.model().engine.first_step.reset();
     small.model().engine.largest_step.reset();
     small.model().engine.step_scale = 0.5;
-    const Scene scene = small.scene();
+    const HostScene scene = small.scene();
     HostState state(small.model());
     TimeStep time_step(scene);
     ContactStep contact;

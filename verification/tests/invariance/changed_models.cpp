@@ -5,6 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "reference/model/model.h"
+
 namespace type21::test {
 namespace {
 

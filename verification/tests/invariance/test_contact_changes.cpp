@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
 #include "reference/contact/retained_impact.h"
 #include "reference/contact/tool_surface.h"
+#include "reference/cycle/contact.h"
 #include "verification/stability/bench_scene.h"
 
 namespace type21 {
@@ -23,7 +23,7 @@ std::vector<Vec3> blank(Shape shape) {
     return nodes;
 }
 
-Scene scene_of(Shape shape, Mesh mesh) {
+HostScene scene_of(Shape shape, Mesh mesh) {
     BenchScene bench(make_tool(shape, mesh), blank(shape));
     bench.card().fric.value = 0.2;
     bench.card().viss.value = 0.3;
@@ -37,7 +37,8 @@ struct Pose {
 };
 
 /// All nodes go along the tool and into it, cycle by cycle; forces of all cycles, turned back.
-std::vector<Vec3> forces(const Scene& scene, const Pose& pose, Shape shape, ContactMethod& contact, int from, int to) {
+std::vector<Vec3> forces(const HostScene& scene, const Pose& pose, Shape shape, ContactMethod& contact, int from,
+                         int to) {
     const auto& secondary = scene.model->interfaces[0].secondary.node;
     std::vector<Vec3> position = scene.model->nodes.position;
     std::vector<Vec3> velocity(position.size(), Vec3::Zero());
@@ -99,7 +100,7 @@ double rounding(double size) {
 
 TEST_P(RigidMotion, TurnsTheForcesWithIt) {
     const auto [shape, mesh] = GetParam();
-    const Scene scene = scene_of(shape, mesh);
+    const HostScene scene = scene_of(shape, mesh);
     reference::Contact still(scene, 0);
     const auto plain = forces(scene, {}, shape, still, 0, cycles);
     double largest = 0;
@@ -118,7 +119,7 @@ TEST_P(RigidMotion, TurnsTheForcesWithIt) {
 // y = R^T (x - x_G) is exact when the sum was: then every bit of the contact is the same.
 TEST_P(RigidMotion, ByAPowerOfTwoOfNodesOnAGridKeepsEveryBitOfTheDecisions) {
     const auto [shape, mesh] = GetParam();
-    const Scene scene = scene_of(shape, mesh);
+    const HostScene scene = scene_of(shape, mesh);
     std::vector<Vec3> position = scene.model->nodes.position;
     const auto on_grid = [](const Vec3& x) { return Vec3(((x * 16777216.0).array().round() / 16777216.0).matrix()); };
     const std::vector<Vec3> velocity(position.size(), Vec3::Zero());
@@ -150,7 +151,7 @@ TEST_P(RigidMotion, ByAPowerOfTwoOfNodesOnAGridKeepsEveryBitOfTheDecisions) {
 // on as if nothing had been.
 TEST_P(RigidMotion, AnInterruptedContactGoesOnWithTheSameBits) {
     const auto [shape, mesh] = GetParam();
-    const Scene scene = scene_of(shape, mesh);
+    const HostScene scene = scene_of(shape, mesh);
     reference::Contact whole(scene, 0);
     const auto expected = forces(scene, {}, shape, whole, 0, cycles);
     reference::Contact parts(scene, 0);
@@ -179,8 +180,8 @@ TEST(Ties, GoToAnotherSegmentWhenTheSegmentsAreRenumbered) {
 
 TEST(Candidates, InAnyOrderGiveTheSameBits) {
     for (const Mesh mesh : {Mesh::quad, Mesh::triangle, Mesh::distorted, Mesh::warped}) {
-        const Scene scene = scene_of(Shape::concave, mesh);
-        const reference::ToolSurface tool(*scene.model, scene.model->interfaces[0]);
+        const HostScene scene = scene_of(Shape::concave, mesh);
+        const reference::ToolSurface tool(*scene.host, scene.model->interfaces[0]);
         std::vector<int> order(static_cast<size_t>(tool.size()));
         for (size_t s = 0; s < order.size(); ++s)
             order[s] = static_cast<int>(s);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "changed_models.h"
+#include "reference/model/model.h"
 #include "trace.h"
 
 namespace type21 {

@@ -8,7 +8,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
+#include "reference/cycle/contact.h"
+#include "reference/deck/deck.h"
+#include "reference/model/model.h"
+#include "reference/model/resolve.h"
 
 namespace type21::test {
 namespace {

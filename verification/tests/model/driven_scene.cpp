@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "reference/deck/deck.h"
+#include "reference/model/resolve.h"
+
 namespace type21::test {
 
 std::string ints(const std::vector<std::string>& fields) {

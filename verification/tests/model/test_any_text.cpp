@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "driven_scene.h"
+#include "reference/model/model.h"
 
 namespace type21 {
 namespace {

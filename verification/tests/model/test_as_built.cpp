@@ -1,14 +1,15 @@
 // The set of departures and its text.
 #include <gtest/gtest.h>
 
-#include "reference/model/as_built.h"
+#include "reference/contract/departures.h"
+#include "reference/model/as_built_option.h"
 
 namespace type21 {
 namespace {
 
 AsBuilt parsed(const std::string& text) {
     Problems problems;
-    const AsBuilt set = AsBuilt::parse(text, problems);
+    const AsBuilt set = parse_as_built(text, problems);
     EXPECT_TRUE(problems.list().empty()) << text << ": " << to_text(problems.list().front());
     return set;
 }
@@ -60,7 +61,7 @@ TEST(AsBuilt, TextReadsBackAsTheSameSet) {
 
 TEST(AsBuilt, WrongNamesAreOneProblemEach) {
     Problems problems;
-    const AsBuilt set = AsBuilt::parse("D03,D38,D3,xyz,,D05x", problems);
+    const AsBuilt set = parse_as_built("D03,D38,D3,xyz,,D05x", problems);
     EXPECT_EQ(set.text(), "D03") << "what is right is kept";
     ASSERT_EQ(problems.error_count(), 5);
     for (const Problem& problem : problems.list()) {
@@ -73,7 +74,7 @@ TEST(AsBuilt, WrongNamesAreOneProblemEach) {
 
 TEST(AsBuilt, UnavailableNamesSayWhy) {
     Problems problems;
-    EXPECT_FALSE(AsBuilt::parse("D21,D22,D23,D27", problems).any());
+    EXPECT_FALSE(parse_as_built("D21,D22,D23,D27", problems).any());
     ASSERT_EQ(problems.error_count(), 4);
     for (const Problem& problem : problems.list())
         EXPECT_NE(problem.rule.find("not reproduced"), std::string::npos) << problem.value;
@@ -81,7 +82,7 @@ TEST(AsBuilt, UnavailableNamesSayWhy) {
 
 TEST(AsBuilt, TakingAwayWhatIsNotThereIsAProblem) {
     Problems problems;
-    AsBuilt::parse("D03,-D04", problems);
+    parse_as_built("D03,-D04", problems);
     EXPECT_EQ(problems.error_count(), 1);
 }
 

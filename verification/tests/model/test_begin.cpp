@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "driven_scene.h"
+#include "reference/model/model.h"
 
 namespace type21 {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/contract/origin.h"
 #include "reference/model/card_reader.h"
 #include "reference/model/numbers.h"
-#include "reference/model/origin.h"
 #include "verification/tests/deck/problem_search.h"
 
 namespace type21 {

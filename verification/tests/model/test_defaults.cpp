@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
+#include "reference/model/field_table.h"
+#include "reference/model/model.h"
 
 namespace type21::test {
 namespace {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
+#include "reference/model/field_table.h"
 #include "reference/model/interface_fields.h"
+#include "reference/model/model.h"
 
 namespace type21::test {
 namespace {

@@ -3,7 +3,11 @@
 
 #include "driven_scene.h"
 #include "interface_fixture.h"
+#include "reference/deck/deck.h"
+#include "reference/model/as_built_option.h"
 #include "reference/model/friction_conditions.h"
+#include "reference/model/model.h"
+#include "reference/model/resolve.h"
 
 namespace type21::test {
 namespace {
@@ -168,7 +172,7 @@ Problems of_card(const std::string& first, const std::string& coefficients, cons
     const TempFolder folder;
     folder.write("scene_0001.rad", driven_engine());
     Problems problems;
-    const AsBuilt set = AsBuilt::parse(as_built, problems);
+    const AsBuilt set = parse_as_built(as_built, problems);
     const Deck deck = read_deck(
         folder.write("scene_0000.rad", with_cards("/FRICTION/9\nt\n" + first + coefficients + pair)), problems);
     problems = {};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
+#include "reference/model/field_table.h"
 #include "reference/model/resolve_interfaces.h"
 
 namespace type21::test {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
+#include "reference/model/model.h"
 
 namespace type21::test {
 namespace {

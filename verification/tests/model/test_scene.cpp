@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
-#include "reference/model/scene.h"
+#include "reference/model/host_scene.h"
 
 namespace type21::test {
 namespace {
@@ -113,7 +113,7 @@ TEST(Plan, OneListForEachInterface) {
     Model model = blank_over_tool();
     Problems problems;
     resolve_card(model, card_text({{"Fric", "0.1"}}) + card_text({{"Invn", "1"}}, "/INTER/TYPE21/2"), problems);
-    const Scene scene = plan(std::make_shared<const Model>(model));
+    const HostScene scene = plan(std::make_shared<const Model>(model));
     EXPECT_TRUE(scene.has(0, Effect::friction));
     EXPECT_FALSE(scene.has(0, Effect::normals_test));
     EXPECT_TRUE(scene.has(1, Effect::normals_test));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "interface_fixture.h"
+#include "reference/model/model.h"
 
 namespace type21::test {
 namespace {

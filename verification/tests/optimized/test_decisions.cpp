@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "optimized/decide/query.h"
+#include "optimized/projection/query.h"
 
 namespace type21 {
 namespace {

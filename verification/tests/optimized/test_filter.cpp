@@ -12,13 +12,13 @@ struct Shape {
 };
 
 /// A random segment and a node near it, with coordinates that are sometimes coarse, so that ties and limits are met.
-struct Scene {
+struct HostScene {
     SegmentData segment;
     V3 p;
     Window window;
 };
 
-Scene random_scene(std::mt19937_64& random, const Shape& shape) {
+HostScene random_scene(std::mt19937_64& random, const Shape& shape) {
     std::uniform_real_distribution<double> unit(-1, 1);
     const bool coarse = random() % 3 == 0;
     const auto r = [&] { return coarse ? std::round(unit(random) * 8) / 8 : unit(random); };
@@ -26,7 +26,7 @@ Scene random_scene(std::mt19937_64& random, const Shape& shape) {
         return V3{(shape.offset + x) * shape.scale, (shape.offset + y * shape.stretch) * shape.scale,
                   (shape.offset + z) * shape.scale};
     };
-    Scene scene;
+    HostScene scene;
     scene.segment.triangle = random() % 3 == 0;
     const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
     for (size_t j = 0; j < 4; ++j) {
@@ -50,7 +50,7 @@ TEST_P(Filter, ProvesOnlyWhatIsTrue) {
     int proven = 0, taken = 0;
     constexpr int scenes = 4000;
     for (int i = 0; i < scenes; ++i) {
-        const Scene s = random_scene(random, GetParam());
+        const HostScene s = random_scene(random, GetParam());
         const LocalSegment local = local_segment(s.segment);
         for (int k = 1; k <= s.segment.pieces(); ++k) {
             const ExactLanding exact = exact_landing(s.p, s.segment, k, s.window, {});

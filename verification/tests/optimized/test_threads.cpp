@@ -6,13 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "optimized/contact.h"
-#include "optimized/machine.h"
+#include "optimized/simd/simd_width.h"
+#include "reference/deck/deck.h"
 #include "reference/host/march.h"
+#include "reference/model/resolve.h"
 
 namespace type21 {
 namespace {
 
-Scene scene_of(const std::string& name) {
+HostScene scene_of(const std::string& name) {
     Problems problems;
     const Deck deck = read_deck(TYPE21_SOURCE_DIR "/cases/" + name + "/" + name + "_0000.rad", problems);
     auto model = std::make_shared<const Model>(resolve(deck, {}, problems));
@@ -21,7 +23,7 @@ Scene scene_of(const std::string& name) {
 }
 
 /// All numbers of a run that sums and forces enter, and how its decisions came about.
-std::vector<double> history(const Scene& scene, int threads) {
+std::vector<double> history(const HostScene& scene, int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
     std::vector<double> numbers;
     std::vector<const optimized::Contact*> contacts;
@@ -55,7 +57,7 @@ std::vector<double> history(const Scene& scene, int threads) {
 
 TEST(Threads, SameBitsForAnyNumber) {
     for (const char* name : {"rotating_tool", "therm_form1_heat"}) {
-        const Scene scene = scene_of(name);
+        const HostScene scene = scene_of(name);
         const std::vector<double> one = history(scene, 1);
         ASSERT_FALSE(one.empty());
         for (const int threads : {2, 3, 7}) {
@@ -69,7 +71,7 @@ TEST(Threads, SameBitsForAnyNumber) {
 TEST(Registers, SameBitsForAnyWidth) {
     for (const char* name : {"rotating_tool", "therm_form1_heat", "cylinder_slide_mixed", "friction_pairs",
                              "igap2_pmax_itlim0", "skid_line", "ibc"}) {
-        const Scene scene = scene_of(name);
+        const HostScene scene = scene_of(name);
         const std::vector<double> usual = history(scene, 1);
         ASSERT_FALSE(usual.empty());
         for (const optimized::Machine machine : {optimized::Machine::four, optimized::Machine::two}) {
@@ -89,8 +91,8 @@ class WholeAndLean final : public ContactMethod {
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override {
         return whole_.initial_penetrations(position);
     }
-    std::vector<RoomSize> rooms() const override { return whole_.rooms(); }
-    Funnel funnel() const override { return whole_.funnel(); }
+    std::vector<EffectMemory> memory_by_effect() const override { return whole_.memory_by_effect(); }
+    DecisionStageCounts decision_stage_counts() const override { return whole_.decision_stage_counts(); }
     ContactStep step(const Motion& motion) override {
         ContactStep whole = whole_.step(motion);
         const optimized::LeanStep& lean = lean_.step_lean(motion);
@@ -116,7 +118,7 @@ TEST(LeanStep, HasTheForcesOfTheWholeStep) {
 }
 
 TEST(LeanStep, IsRefusedWhereItWouldLoseSomething) {
-    const Scene scene = scene_of("therm_form1_heat");
+    const HostScene scene = scene_of("therm_form1_heat");
     optimized::Contact contact(scene, 0);
     EXPECT_THROW(contact.step_lean(Motion{}), std::logic_error);
 }

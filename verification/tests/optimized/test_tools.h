@@ -4,7 +4,7 @@
 #include <functional>
 #include <random>
 
-#include "optimized/decide/decide.h"
+#include "optimized/projection/decide.h"
 #include "optimized/search/tool.h"
 
 namespace type21::optimized::testing {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
+#include "reference/cycle/contact.h"
 #include "verification/stability/long_runs.h"
 #include "verification/stability/stability_report.h"
 
@@ -50,8 +50,8 @@ class Drifting final : public ContactMethod {
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& x) const override {
         return contact_.initial_penetrations(x);
     }
-    std::vector<RoomSize> rooms() const override { return contact_.rooms(); }
-    Funnel funnel() const override { return contact_.funnel(); }
+    std::vector<EffectMemory> memory_by_effect() const override { return contact_.memory_by_effect(); }
+    DecisionStageCounts decision_stage_counts() const override { return contact_.decision_stage_counts(); }
 
   private:
     reference::Contact contact_;

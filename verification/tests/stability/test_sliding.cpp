@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/contact/contact.h"
+#include "reference/cycle/contact.h"
 #include "verification/stability/facet_contact.h"
 #include "verification/stability/stability_report.h"
 

@@ -1,0 +1,47 @@
+/// @file What a decision is taken on: a segment with its normals, and what the card allows.
+#pragma once
+
+#include <array>
+
+#include "optimized/projection/vector3.h"
+
+namespace type21::optimized {
+
+/// A main segment in the tool frame, as given. A triangle repeats its third node.
+struct SegmentData {
+    std::array<V3, 4> node;    ///< x_j [length]
+    std::array<V3, 4> normal;  ///< n_j, of any length [-]
+    bool triangle = false;
+
+    int pieces() const { return triangle ? 1 : 4; }
+};
+
+/// Corners B and C of sub-triangle k as corners of the segment; A is the centre of a quad and corner 2 of a triangle.
+/// Source: formulation section 1.
+struct PieceCorners {
+    int b, c;
+};
+inline PieceCorners piece_corners(bool triangle, int k) {
+    if (triangle) return {0, 1};
+    return {k - 1, k % 4};
+}
+
+/// How far a node is seen by the tool, section 3 step 5.
+struct Window {
+    double gap = 0;        ///< g [length]
+    double depth = 0;      ///< DEPTH [length]
+    double proximity = 0;  ///< largest reach of the active effects, 0: none [length]
+};
+
+/// What a departure changes in a decision.
+struct Rules {
+    double low = -0.01;         ///< a weight below it is outside; -0.05 in the first look of D31
+    double high = 1.01;         ///< b + c above it is outside; 1.05 with D31
+    bool one_race = false;      ///< D11: contact and proximity compete on kappa alone
+    bool lift_leaning = false;  ///< D35: <n_V, N> <= 0 is lifted with 1e-30 in its place
+};
+
+/// D35's stand-in for a slope that is not positive.
+constexpr double leaning_guard = 1e-30;
+
+}  // namespace type21::optimized

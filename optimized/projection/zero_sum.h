@@ -1,0 +1,56 @@
+/// @file Is a sum of products zero? Exactly, in doubles.
+#pragma once
+
+#include <array>
+
+#include "optimized/projection/two_doubles.h"
+
+namespace type21::optimized {
+
+/// A sum of a few products of numbers whose size is() ordinary. It is held as an expansion: doubles that do not
+/// overlap, of which no one is zero, so that it is zero when there are none. Source: J. R. Shewchuk, Adaptive precision
+/// floating-point arithmetic and fast robust geometric predicates, Discrete and Computational Geometry 18, 1997
+/// (grow-expansion).
+class ZeroSum {
+  public:
+    /// Products of three such numbers and their low parts neither overflow nor underflow.
+    static bool ordinary(double x) { return x == 0 || (std::abs(x) > 1e-60 && std::abs(x) < 1e60); }
+
+    void add(double x, double y) {
+        if (x == 0 || y == 0) return;
+        const TwoDoubles product = TwoDoubles::exact_product(x, y);
+        add(product.low);
+        add(product.high);
+    }
+    void add(double x, double y, double z) {
+        if (x == 0 || y == 0 || z == 0) return;
+        const TwoDoubles product = TwoDoubles::exact_product(x, y);
+        add(product.low, z);
+        add(product.high, z);
+    }
+    /// Proven to be zero; false as well where the room was too small.
+    bool zero() const { return !crowded_ && count_ == 0; }
+
+  private:
+    void add(double x) {
+        size_t kept = 0;
+        for (size_t i = 0; i < count_; ++i) {
+            const TwoDoubles sum = TwoDoubles::exact_sum(x, part_[i]);
+            x = sum.high;
+            if (sum.low != 0) part_[kept++] = sum.low;
+        }
+        count_ = kept;
+        if (x == 0) return;
+        if (count_ < part_.size()) {
+            part_[count_++] = x;
+        } else {
+            crowded_ = true;
+        }
+    }
+
+    std::array<double, 24> part_;  ///< in ascending order
+    size_t count_ = 0;
+    bool crowded_ = false;
+};
+
+}  // namespace type21::optimized

@@ -1,0 +1,105 @@
+/// @file The ContactStep: what a contact says of one cycle.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "decision.h"
+#include "vector.h"
+
+namespace type21 {
+
+enum class Status { open, stick, slip };
+
+/// All of one node in one cycle, in global axes; zero where there is no impact.
+struct NodeContact {
+    Decision decision;
+    Status status = Status::open;
+    double gap = 0;                         ///< g [length]
+    double distance = 0;                    ///< delta, signed, along the normal [length]
+    double geometric_penetration = 0;       ///< p_g = max(0, g - delta) [length]
+    double offset = 0;                      ///< P0 [length]
+    double penetration = 0;                 ///< p = max(0, p_g - P0) [length]
+    double stiffness = 0;                   ///< k; 0 where section 6 says so [force/length]
+    double damping = 0;                     ///< C [force time/length]
+    double elastic_force = 0;               ///< F, >= 0 [force]
+    double elastic_energy = 0;              ///< integral of F dp [energy]
+    double normal_force = 0;                ///< F_n = F - C v_n, positive pushes the node outward [force]
+    Vec3 normal = Vec3::Zero();             ///< nu, outward [-]
+    Vec3 point = Vec3::Zero();              ///< X, the contact point [length]
+    Vec3 relative_velocity = Vec3::Zero();  ///< v of the node relative to the tool at X [velocity]
+    Vec3 friction = Vec3::Zero();           ///< F_t, on the tool [force]
+    Vec3 force = Vec3::Zero();              ///< on the node: F_n nu - F_t [force]
+    double step_stiffness = 0;              ///< k + C/dt1, for the time step [force/length]
+    double skid = 0;                        ///< largest skid ratio since the start [-]
+    double friction_heat = 0;               ///< Fheat q of this cycle [energy]
+    double heat = 0;                        ///< to the node from tool and friction in this cycle [energy]
+    double conductance = 0;                 ///< A / (d/k_s + 1/K), for the thermal step [power/temperature]
+};
+
+/// Heat that a tool node receives in one cycle.
+struct ToolHeat {
+    int node = -1;    ///< index into Model::nodes
+    double heat = 0;  ///< [energy]
+};
+
+/// What adaptive meshing is told of an element of the blank (page comment 3).
+struct AdaptiveElement {
+    double radius = 0;        ///< smallest tool radius at its nodes in contact [length]
+    double cosine = 1;        ///< of the sharpest angle between tool normals there [-]
+    double penetration = 0;   ///< largest p / g there [-]
+    double longest_edge = 0;  ///< of the element now [length]
+    bool divide = false;
+};
+
+/// Sums over the nodes of one cycle; forces on the tool. Each is the exact sum rounded once, so no order matters.
+struct ContactSums {
+    Vec3 normal = Vec3::Zero();      ///< of -F_n nu [force]
+    Vec3 tangential = Vec3::Zero();  ///< of F_t [force]
+    Vec3 abs_normal = Vec3::Zero();  ///< of |components of F_n nu| [force]
+    double signed_normal = 0;        ///< of -F_n [force]
+    Vec3 abs_total = Vec3::Zero();   ///< of |components of the force on the tool| [force]
+    double norm_total = 0;           ///< of the norm of the force on the tool [force]
+    double elastic_energy = 0;       ///< of this cycle [energy]
+    double friction_work = 0;        ///< of dt1 <v, F_t> in this cycle [energy]
+    double damping_work = 0;         ///< of C v_n^2 dt1 in this cycle [energy]
+    double friction_heat = 0;        ///< of Fheat q in this cycle, QFRIC's share [energy]
+    double heat_to_blank = 0;        ///< of all heat to nodes in this cycle [energy]
+    double heat_to_tool = 0;         ///< of all heat to tool nodes in this cycle [energy]
+};
+
+/// What the contact gives to its tool.
+struct ToolLoad {
+    Vec3 force = Vec3::Zero();           ///< of the contact: sum of -F_n nu + F_t [force]
+    Vec3 moment = Vec3::Zero();          ///< of the contact about x_G: sum of (X - x_G) x (-F_n nu + F_t) [moment]
+    Vec3 damping_force = Vec3::Zero();   ///< of the tool damping; its opposite acts on the tool of IDref [force]
+    Vec3 damping_moment = Vec3::Zero();  ///< likewise [moment]
+    double damping = 0;                  ///< C of the tool damping [force time/length]
+    double rotational_damping = 0;       ///< likewise of the rotation [moment time]
+    double step_stiffness = 0;           ///< sum of k + C/dt1, for the time step [force/length]
+    double step_rotation = 0;            ///< sum of (k + C/dt1) |X - x_G|^2 [moment]
+};
+
+/// Invn: the first impact came from behind.
+struct InvertedNormal {
+    int node = -1;           ///< index into Model::nodes
+    int segment = -1;        ///< rank in the main surface
+    double penetration = 0;  ///< p_g [length]
+};
+
+struct ContactStep {
+    bool active = false;             ///< Tstart, Tstop, sensor
+    std::vector<NodeContact> nodes;  ///< like SecondarySide::node; empty while inactive
+    ContactSums sums;
+    ToolLoad tool;
+    std::vector<int> released;  ///< nodes (Model index) whose IBC translations are free from now on
+    std::vector<InvertedNormal> inverted;
+    std::vector<ToolHeat>
+        tool_heat;  ///< by segment node, a node may come more than once; empty unless the tool is heated
+    std::vector<AdaptiveElement> adaptive;  ///< like the segments of the secondary surface; empty without Iadm
+    double smallest_gap_raw = 0;            ///< of g_s over the nodes, before Gapmin and Gapmax act [length]
+    double largest_gap_raw = 0;             ///< [length]
+};
+
+}  // namespace type21

@@ -1,0 +1,17 @@
+#include "reference/exact/impact_enclosure.h"
+#include "reference/exact/interval.h"
+
+namespace type21::reference {
+
+std::optional<Judged> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
+                                         int k) {
+    try {
+        const Interval::Upward upward;
+        const auto impact = impact_in<Interval>(input, shape, segment, k);
+        return judged(impact, impact.kappa.low(), impact.kappa.high());
+    } catch (const Undecided&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace type21::reference

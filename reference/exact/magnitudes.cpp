@@ -1,0 +1,44 @@
+#include "reference/exact/magnitudes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/exact/impact_enclosure.h"
+
+namespace type21::reference {
+
+bool close_enough(const Projection<Bounded>& projection, double largest) {
+    const auto& [b, c] = projection.weights;
+    if (!(std::max(b.error(), c.error()) <= MagnitudeLimits::weights)) return false;
+    Vec3 normal, error;
+    for (int i = 0; i < 3; ++i) {
+        normal[i] = projection.normal[i].value();
+        error[i] = projection.normal[i].error();
+    }
+    const double length = normal.norm();
+    const double turned = error.norm() / length;
+    if (!(turned <= MagnitudeLimits::weights)) return false;
+    const Bounded along = projection.height / projection.slope;  // delta / |n|; the slope is known to be positive
+    const double distance = (along.error() + std::abs(along.value()) * turned) * length;
+    return distance <= MagnitudeLimits::distance * largest;
+}
+
+bool close_enough(const DecisionInput& input, const SegmentShape<double>& shape, int k) {
+    const ProjectionLimits<Bounded> borderless{Bounded(-1e300), Bounded(1e300), input.limits.lift_leaning};
+    try {
+        const auto projection =
+            project(exactly<Bounded>(input.point), sub_triangle(exactly<Bounded>(shape), k), borderless);
+        return projection && close_enough(*projection, largest_length(input.point, shape));
+    } catch (const Undecided&) {
+        return false;
+    }
+}
+
+double largest_length(const Vec3& point, const SegmentShape<double>& shape) {
+    double largest = point.cwiseAbs().maxCoeff();
+    for (const Vec3& node : shape.node)
+        largest = std::max(largest, node.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+}  // namespace type21::reference

@@ -1,0 +1,28 @@
+/// @file The front door: from the path of a deck to a scene that runs, or to everything that is wrong with it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/deck/problem.h"
+#include "reference/host/march.h"
+#include "reference/host/thickness_history.h"
+
+namespace type21 {
+
+/// A scene, or the problems that there is none for. Warnings are in problems either way.
+struct PreparedDeck {
+    Problems problems;
+    std::optional<HostScene> scene;
+    std::optional<ThicknessHistory> thickness;  ///< of --thickness
+
+    /// For march(); points into this.
+    MarchOptions options() const { return {thickness ? &*thickness : nullptr}; }
+};
+
+/// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error
+/// @param thickness     CSV of the shells' thickness over time, empty: none
+PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,
+                          const std::string& thickness = {});
+
+}  // namespace type21

@@ -1,0 +1,48 @@
+/// @file Lockstep over many decks.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/criteria/cases/case_file.h"
+#include "verification/criteria/lockstep/lockstep.h"
+
+namespace type21 {
+
+/// What is stepped.
+struct LockstepTarget {
+    std::string name;  ///< "incline/page", or the path of a deck
+    CaseRun run;
+};
+
+struct LockstepRecord {
+    LockstepTarget target;
+    LockstepResult result;
+    bool refused = false;         ///< the deck has errors: nothing was run
+    std::string error;            ///< the first of them, or an internal error
+    std::optional<double> apart;  ///< free runs: largest difference of a history relative to its scale [-]
+    std::string apart_where;      ///< file and column of it
+    double seconds = 0;           ///< of wall time
+
+    /// The decisions are the same, all else within lockstep_ulps. A refused deck is not wrong.
+    bool ok() const;
+};
+
+struct LockstepOptions {
+    int jobs = 1;
+    /// Free runs as well, each with its own contact, with their results in this folder; empty: none.
+    std::filesystem::path free_runs;
+    std::function<void(const LockstepRecord&)> progress;  ///< after each, never twice at the same time
+};
+
+/// The runs of cases, each as its case.toml says; with `as_built` each deck once with these departures.
+std::vector<LockstepTarget> lockstep_targets(const std::vector<Case>& cases,
+                                             const std::optional<std::string>& as_built);
+
+/// In the order of the targets, whatever the number of jobs.
+std::vector<LockstepRecord> lockstep_decks(const std::vector<LockstepTarget>& targets, const LockstepOptions& options);
+
+}  // namespace type21

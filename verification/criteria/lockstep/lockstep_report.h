@@ -1,0 +1,23 @@
+/// @file Lockstep results for people and for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/criteria/cases/check_result.h"
+#include "verification/criteria/lockstep/lockstep_decks.h"
+
+namespace type21 {
+
+/// What differs, each deck that is excepted or refused, and the sums over all.
+std::string to_text(const std::vector<LockstepRecord>& records);
+
+/// {"ulps_allowed", "ok", "all": {...}, "runs": [{...}]}; infinite differences are the string "inf".
+nlohmann::ordered_json to_json(const std::vector<LockstepRecord>& records);
+
+/// The same as a check of the case and run: the largest difference of a force, a heat, a stiffness or a sum in ulps.
+CheckResult lockstep_check(const LockstepRecord& record, const std::string& case_name, const std::string& run);
+
+}  // namespace type21

@@ -1,0 +1,133 @@
+#include "verification/decisions/atlas/atlas.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "verification/decisions/queries/decision_json.h"
+#include "verification/decisions/queries/decision_text.h"
+
+namespace type21 {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_of(const fs::path& folder, const std::vector<std::string>& names,
+                               std::vector<std::string>& problems) {
+    std::vector<fs::path> files;
+    for (const std::string& name : names)
+        files.push_back(folder / (name + ".json"));
+    std::error_code error;
+    if (names.empty())
+        for (const auto& entry : fs::directory_iterator(folder, error))
+            if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (files.empty()) problems.push_back(fmt::format("{}: there are no entries (*.json)", folder.string()));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// What the format of decide does not have. Only called for a file that it accepts.
+void read_words(const fs::path& file, AtlasEntry& entry, std::vector<std::string>& problems) {
+    std::ifstream stream(file);
+    const auto json = nlohmann::json::parse(stream);
+    entry.title = json.value("title", "");
+    entry.what = json.value("what", "");
+    if (entry.title.empty() || entry.what.empty())
+        problems.push_back(fmt::format("{}: /: 'title' or 'what' is missing", file.string()));
+    const auto& block = json.at("blocks").at(0);
+    if (block.contains("note")) entry.note = block.at("note").get<std::vector<std::string>>();
+    if (entry.note.size() != entry.block.queries.size())
+        problems.push_back(fmt::format("{}: /blocks/0/note: {} notes for {} queries", file.string(), entry.note.size(),
+                                       entry.block.queries.size()));
+    if (!block.contains("double")) return;
+    // The same reader: the answers of a copy.
+    auto copy = json;
+    copy["blocks"][0]["answers"] = block.at("double");
+    entry.double_answers = decisions_of(copy, file.string() + " (double)", problems).blocks.at(0).answers;
+}
+
+}  // namespace
+
+std::vector<AtlasEntry> read_atlas(const fs::path& folder, const std::vector<std::string>& names,
+                                   std::vector<std::string>& problems) {
+    std::vector<AtlasEntry> entries;
+    for (const fs::path& file : files_of(folder, names, problems)) {
+        const size_t before = problems.size();
+        const DecisionFile read = read_decisions(file, problems);
+        if (problems.size() > before) continue;
+        if (read.blocks.size() != 1 || read.blocks[0].answers.empty()) {
+            problems.push_back(
+                fmt::format("{}: /blocks: an entry of the atlas is one block with answers", file.string()));
+            continue;
+        }
+        AtlasEntry& entry = entries.emplace_back();
+        entry.name = file.stem().string();
+        entry.block = read.blocks[0];
+        entry.warnings = warnings(entry.block.tool);
+        read_words(file, entry, problems);
+    }
+    return entries;
+}
+
+std::vector<AtlasAnswer> answers_of(const AtlasEntry& entry, DecideWith method) {
+    std::vector<AtlasAnswer> answers;
+    for (size_t q = 0; q < entry.block.queries.size(); ++q) {
+        const DecisionQuery& query = entry.block.queries[q];
+        AtlasAnswer& one = answers.emplace_back();
+        one.program = decide(entry.block.tool, query, method);
+        one.program.margin = margin(entry.block.tool, query);
+        one.program.margin_ulps = in_ulps(one.program.margin, query.point);
+        one.plain = decide(entry.block.tool, query, DecideWith::plain);
+        one.ok = one.program.same_decision(entry.block.answers[q]);
+    }
+    return answers;
+}
+
+std::string to_text(const AtlasEntry& entry, const std::vector<AtlasAnswer>& answers) {
+    std::string text = fmt::format("{}: {}\n  {}\n", entry.name, entry.title, entry.what);
+    for (const std::string& warning : entry.warnings)
+        text += fmt::format("  warning: {}\n", warning);
+    for (size_t q = 0; q < answers.size(); ++q) {
+        const AtlasAnswer& one = answers[q];
+        text +=
+            fmt::format("  {:<44} {}; settled by {}, margin {:.3g} ({:.3g} ulps)\n", entry.note[q] + ":",
+                        in_words(one.program), name(one.program.stage), one.program.margin, one.program.margin_ulps);
+        if (!one.plain.same_decision(entry.block.answers[q]))
+            text += fmt::format("  {:<44} plain double: {}\n", "", in_words(one.plain));
+        if (!one.ok) text += fmt::format("  {:<44} WRONG, exact: {}\n", "", in_words(entry.block.answers[q]));
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const AtlasEntry& entry, const std::vector<AtlasAnswer>& answers) {
+    const auto bare = [](const DecisionAnswer& answer) {
+        nlohmann::ordered_json json = to_json(answer);
+        for (const char* key : {"stage", "margin", "margin_ulps"})
+            json.erase(key);
+        return json;
+    };
+    DecisionFile file;
+    file.blocks = {entry.block};
+    nlohmann::ordered_json block = to_json(file)["blocks"][0];
+    block["answers"] = nlohmann::ordered_json::array();
+    block["double"] = nlohmann::ordered_json::array();
+    block["program"] = nlohmann::ordered_json::array();
+    for (size_t q = 0; q < answers.size(); ++q) {
+        block["answers"].push_back(bare(entry.block.answers[q]));
+        block["double"].push_back(bare(answers[q].plain));
+        block["program"].push_back(to_json(answers[q].program));
+        block["program"].back()["ok"] = answers[q].ok;
+    }
+    nlohmann::ordered_json json;
+    json["name"] = entry.name;
+    json["title"] = entry.title;
+    json["what"] = entry.what;
+    json["warnings"] = entry.warnings;
+    block["note"] = entry.note;
+    json["blocks"] = nlohmann::ordered_json::array({std::move(block)});
+    return json;
+}
+
+}  // namespace type21

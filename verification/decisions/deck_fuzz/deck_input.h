@@ -1,0 +1,30 @@
+/// @file One input of the deck fuzzer: the files of a deck in one text, read and resolved as far as a run would go.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/contract/departures.h"
+#include "reference/deck/deck.h"
+
+namespace type21::fuzz {
+
+/// A line that begins so starts a further file of the deck; the rest of the line is its path.
+inline constexpr std::string_view file_mark = "//// ";
+
+/// The text up to the first mark is the starter deck fuzz_0000.rad.
+std::vector<MemoryFile> deck_files(std::string_view text);
+
+struct Reading {
+    bool accepted = false;  ///< the deck has no error
+    size_t length = 0;      ///< of all that text, so that nothing of it is optimised away
+};
+
+/// What a run does before its first cycle and `type21 check` prints: read, resolve, plan, check, every message and
+/// every field as text.
+/// @throws std::logic_error when the reader has broken a promise: a model without an error that holds an index out of
+///         range or a number that is not finite
+Reading read_and_resolve(std::string_view text, const AsBuilt& departures);
+
+}  // namespace type21::fuzz

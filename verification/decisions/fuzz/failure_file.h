@@ -1,0 +1,25 @@
+/// @file A failure as a small file that reproduces it bit for bit.
+///
+/// The format of decide (decision_json.h) with one block, one query and its exact answer, and beside them
+///   "with": the method under test, "what": the complaint, "found": {"family", "seed", "block", "query"}.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/decisions/fuzz/fuzz.h"
+#include "verification/decisions/fuzz/shrink.h"
+
+namespace type21 {
+
+/// The failure made small, as the text of a file.
+nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::string& family, const FuzzOptions& options);
+
+/// One query in the words of every arithmetic: plain double, double with a bound, intervals, rational numbers, in
+/// stages, the optimized contact, the second opinion. A line each.
+std::string every_answer(const DecisionTool& tool, const DecisionQuery& query);
+
+}  // namespace type21

@@ -1,0 +1,156 @@
+#include "verification/decisions/queries/decide.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "optimized/projection/query.h"
+#include "verification/decisions/queries/question.h"
+
+namespace type21 {
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+constexpr std::array methods{DecideWith::reference, DecideWith::optimized, DecideWith::exact, DecideWith::plain};
+
+double farthest_reach(const DecisionQuery& query) {
+    return std::max({query.gap, query.depth, query.reach});
+}
+
+/// Distance from a point to the box of a segment [length].
+double distance_to_box(const DecisionTool& tool, int segment, const Vec3& point) {
+    Box box;
+    for (const int corner : tool.segment[static_cast<size_t>(segment)])
+        box.extend(tool.node[static_cast<size_t>(corner)]);
+    const Vec3 outside = (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0.0);
+    return outside.stableNorm();
+}
+
+}  // namespace
+
+reference::SegmentShape<double> shape_of(const DecisionTool& tool, int segment) {
+    const auto& corner = tool.segment[static_cast<size_t>(segment)];
+    reference::SegmentShape<double> shape;
+    for (size_t j = 0; j < 4; ++j) {
+        shape.node[j] = tool.node[static_cast<size_t>(corner[j])];
+        shape.normal[j] = tool.normal[static_cast<size_t>(corner[j])];
+    }
+    shape.triangle = corner[2] == corner[3];
+    return shape;
+}
+
+std::vector<int> segments_near(const DecisionTool& tool, const DecisionQuery& query) {
+    constexpr double rounding = 1e-9;
+    std::vector<int> found;
+    for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
+        const double reach = farthest_reach(query);
+        const double size = query.point.cwiseAbs().maxCoeff();
+        if (!(distance_to_box(tool, s, query.point) > reach + rounding * (reach + size))) found.push_back(s);
+    }
+    return found;
+}
+
+std::string_view name(DecideWith method) {
+    switch (method) {
+        case DecideWith::reference:
+            return "reference";
+        case DecideWith::optimized:
+            return "optimized";
+        case DecideWith::exact:
+            return "exact";
+        case DecideWith::plain:
+            break;
+    }
+    return "double";
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const DecideWith method : methods)
+        names.emplace_back(name(method));
+    return names;
+}
+
+DecideWith method_named(std::string_view word) {
+    for (const DecideWith method : methods)
+        if (name(method) == word) return method;
+    throw std::invalid_argument(fmt::format("there is no way '{}' to decide", word));
+}
+
+DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method,
+                      DecisionStageCounts* stage_counts) {
+    if (method == DecideWith::optimized) {
+        const Decision decision = optimized::decide_query(tool.node, tool.normal, tool.segment, query.point, query.gap,
+                                                          query.depth, query.reach);
+        return {decision.kind, decision.segment, decision.triangle, decision.side, decision.stage, 0, 0};
+    }
+    const Question question(tool, query);
+    const reference::DecisionInput& input = question.input();
+    reference::StagedImpact impact;
+    switch (method) {
+        case DecideWith::reference:
+            impact = staged_impact(input, stage_counts);
+            break;
+        case DecideWith::optimized:
+            break;
+        case DecideWith::exact:
+            impact = exact_impact(input);
+            break;
+        case DecideWith::plain:
+            impact = double_impact(input);
+            break;
+    }
+    return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
+}
+
+DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, const DecisionRules& rules) {
+    const Question question(tool, query);
+    reference::DecisionInput input = question.input();
+    input.limits = rules.limits;
+    input.one_race = rules.one_race;
+    const reference::StagedImpact impact = staged_impact(input);
+    return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
+}
+
+double margin(const DecisionTool& tool, const DecisionQuery& query) {
+    const Question question(tool, query);
+    const std::vector<int>& segments = question.segments();
+    double margin = decision_margin(question.input());
+    // A segment that is too far away cannot matter before its box is in reach.
+    for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s)
+        if (!std::binary_search(segments.begin(), segments.end(), s))
+            margin = std::min(margin, distance_to_box(tool, s, query.point) - farthest_reach(query));
+    return margin;
+}
+
+double in_ulps(double length, const Vec3& point) {
+    const double largest = point.cwiseAbs().maxCoeff();
+    return length / (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
+}
+
+std::vector<std::string> warnings(const DecisionTool& tool) {
+    size_t flat = 0;
+    for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
+        const auto piece = shape_of(tool, s);
+        bool area = false;
+        for (int k = 1; k <= piece.sub_triangles(); ++k)
+            area = area || reference::sub_triangle(piece, k).area != Vec3::Zero();
+        if (!area) ++flat;
+    }
+    // Normals of a Radioss run are unit to rounding; others are taken as given, as the limits are defined with them.
+    const auto odd = std::count_if(tool.normal.begin(), tool.normal.end(),
+                                   [](const Vec3& n) { return std::abs(n.stableNorm() - 1.0) > 1e-6; });
+    std::vector<std::string> found;
+    if (flat > 0) found.push_back(fmt::format("{} segments have no area: nothing touches them", flat));
+    if (odd > 0) found.push_back(fmt::format("{} normals are not of unit length; taken as given", odd));
+    return found;
+}
+
+}  // namespace type21

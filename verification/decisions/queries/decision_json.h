@@ -1,0 +1,34 @@
+/// @file The file format of questions and answers: JSON, numbers as C99 hex floats.
+///
+///   {"family": "folds", "blocks": [{
+///      "nodes": [["0x1p+0", "0x0p+0", "0x0p+0"], ...], "normals": [...], "segments": [[0, 1, 5, 4], ...],
+///      "queries": [{"p": [...], "gap": "0x1p-2", "depth": "0x1p-2", "reach": "0x0p+0"}, ...],
+///      "answers": [{"segment": 7, "triangle": 1, "side": -1, "kind": "contact"}, ...]}]}
+///
+/// Plain JSON numbers are read as well; written are hex floats, which lose no bit. `family` and `answers` may be
+/// absent.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/decisions/queries/query.h"
+
+namespace type21 {
+
+/// "0x1.8p+1": the same double on every machine.
+std::string to_hex(double value);
+nlohmann::ordered_json to_hex(const Vec3& value);
+
+/// @param problems  every complaint, "FILE: /blocks/0/nodes/3/1 = \"nan\": a finite number is asked for"; the result is
+///                  only of use when none was added
+DecisionFile read_decisions(const std::filesystem::path& file, std::vector<std::string>& problems);
+DecisionFile decisions_of(const nlohmann::json& json, const std::string& name, std::vector<std::string>& problems);
+
+nlohmann::ordered_json to_json(const DecisionFile& file);
+nlohmann::ordered_json to_json(const DecisionAnswer& answer);
+
+}  // namespace type21

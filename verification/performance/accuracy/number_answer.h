@@ -1,0 +1,36 @@
+/// @file A question answered in one type of number.
+#pragma once
+
+#include <cmath>
+
+#include "reference/exact/impact_enclosure.h"
+#include "reference/exact/undecided.h"
+#include "verification/performance/accuracy/method.h"
+
+namespace type21::accuracy {
+
+/// @param real  Number -> the floating-point type in which the magnitudes are
+template <class Number, class Real>
+Answer answer_in(const reference::DecisionInput& input, const Real& real) {
+    using namespace reference;
+    Impact<Number> best;
+    try {
+        best = retained_impact<Number>(
+            exactly<Number>(input.point), input.segments,
+            [&](int segment) { return exactly<Number>(input.shape_of(segment)); }, exactly<Number>(input.reach),
+            exactly<Number>(input.limits));
+    } catch (const Undecided&) {
+        Answer answer;
+        answer.undecided = true;
+        return answer;
+    }
+    Answer answer{best.kind, best.segment, best.triangle, best.side};
+    if (best.kind != Kind::contact) return answer;
+    const auto& projection = best.projection;
+    const auto x = real(projection.normal[0]), y = real(projection.normal[1]), z = real(projection.normal[2]);
+    const auto distance = real(projection.height) * std::sqrt(x * x + y * y + z * z) / real(projection.slope);
+    answer.penetration = static_cast<double>(real(Number(input.reach.gap)) - distance);
+    return answer;
+}
+
+}  // namespace type21::accuracy

@@ -1,0 +1,56 @@
+/// @file A question put to the decision of the optimized implementation.
+#pragma once
+
+#include <vector>
+
+#include "optimized/projection/decide.h"
+#include "verification/performance/accuracy/method.h"
+
+namespace type21::accuracy {
+
+inline Answer answer_of(const optimized::Retained& retained, double gap) {
+    Answer answer;
+    answer.stage = static_cast<int>(retained.settled);
+    if (retained.segment < 0) return answer;
+    const optimized::Landing& landing = retained.landing;
+    answer.kind = landing.kind;
+    answer.segment = retained.segment;
+    answer.triangle = retained.piece;
+    answer.side = landing.side;
+    if (landing.kind == Kind::contact) answer.penetration = gap - landing.lift * optimized::norm(landing.normal);
+    return answer;
+}
+
+inline optimized::SegmentData segment_data(const DecisionTool& tool, int rank) {
+    const auto& corner = tool.segment[static_cast<size_t>(rank)];
+    optimized::SegmentData segment;
+    segment.triangle = corner[2] == corner[3];
+    for (size_t j = 0; j < 4; ++j) {
+        segment.node[j] = optimized::from(tool.node[static_cast<size_t>(corner[j])]);
+        segment.normal[j] = optimized::from(tool.normal[static_cast<size_t>(corner[j])]);
+    }
+    return segment;
+}
+
+class OptimizedQuestion {
+  public:
+    OptimizedQuestion(const DecisionTool& tool, const DecisionQuery& query) : tool_(tool), query_(query) {}
+
+    optimized::V3 point() const { return optimized::from(query_.point); }
+    optimized::Window window() const { return {query_.gap, query_.depth, query_.reach}; }
+
+    /// @param segments  a range of ranks
+    template <class Segments>
+    Answer among(const Segments& segments) const {
+        optimized::Decider decider(point(), window(), {});
+        for (const int rank : segments)
+            decider.add(rank, segment_data(tool_, rank));
+        return answer_of(decider.retained([&](int rank) { return segment_data(tool_, rank); }), query_.gap);
+    }
+
+  private:
+    const DecisionTool& tool_;
+    const DecisionQuery& query_;
+};
+
+}  // namespace type21::accuracy

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "optimized/search/search.h"
+#include "reference/contact/candidates.h"
+#include "verification/performance/accuracy/optimized_answer.h"
+#include "verification/stability/bench_scene.h"
+
+namespace type21::accuracy {
+
+namespace {
+
+optimized::Tool tool_of(const DecisionTool& tool) {
+    std::vector<optimized::V3> position, normal;
+    position.reserve(tool.node.size());
+    normal.reserve(tool.normal.size());
+    for (const Vec3& x : tool.node)
+        position.push_back(optimized::from(x));
+    for (const Vec3& n : tool.normal)
+        normal.push_back(optimized::from(n));
+    return {std::move(position), std::move(normal), tool.segment};
+}
+
+/// What each implementation builds once for a tool.
+class Prepared {
+  public:
+    explicit Prepared(const QuestionBlock& block)
+        : scene_(stability::BenchScene({block.tool.node, block.tool.segment}, {}).scene()),
+          surface_(*scene_.host, scene_.model->interfaces[0]),
+          candidates_(surface_, reach_of(block)),
+          tool_(tool_of(block.tool)),
+          search_(tool_, limits_of(block), {}),
+          all_(block.tool.segment.size()) {
+        std::iota(all_.begin(), all_.end(), 0);
+        // A cycle before the one that is timed.
+        memory_.reserve(block.queries.size());
+        for (size_t q = 0; q < block.queries.size(); ++q) {
+            optimized::Memory memory;
+            const OptimizedQuestion question(block.tool, block.queries[q]);
+            search_.find(optimized::from(block.before[q]), question.window(), {}, memory);
+            memory_.push_back(memory);
+        }
+    }
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+
+    const std::vector<int>& all() const { return all_; }
+    std::vector<int> candidates(const Vec3& point) const { return candidates_.at(point); }
+    const optimized::Search& search() const { return search_; }
+    const optimized::Memory& memory(size_t query) const { return memory_[query]; }
+
+  private:
+    static double reach_of(const QuestionBlock& block) {
+        double reach = 0;
+        for (const DecisionQuery& query : block.queries)
+            reach = std::max({reach, query.gap, query.depth, query.reach});
+        return reach;
+    }
+    static optimized::Limits limits_of(const QuestionBlock& block) {
+        optimized::Limits limits;
+        for (const DecisionQuery& query : block.queries) {
+            limits.outward = std::max({limits.outward, query.gap, query.reach});
+            limits.inward = std::max(limits.inward, query.depth);
+        }
+        return limits;
+    }
+
+    HostScene scene_;
+    reference::ToolSurface surface_;
+    reference::Candidates candidates_;
+    optimized::Tool tool_;
+    optimized::Search search_;
+    std::vector<int> all_;
+    std::vector<optimized::Memory> memory_;
+};
+
+using PreparedBlocks = std::map<const QuestionBlock*, std::unique_ptr<Prepared>>;
+
+}  // namespace
+
+std::vector<Method> search_methods(const std::vector<QuestionBlock>& blocks, const std::vector<Asked>& asked) {
+    const auto prepared = std::make_shared<PreparedBlocks>();
+    for (const QuestionBlock& block : blocks)
+        prepared->emplace(&block, std::make_unique<Prepared>(block));
+    // Looked up before the time is taken.
+    std::vector<const Prepared*> of;
+    of.reserve(asked.size());
+    for (const Asked& one : asked)
+        of.push_back(prepared->at(one.block).get());
+
+    const auto staged = [&asked](size_t q, std::vector<int> segments) {
+        const Asked& one = asked[q];
+        const Question question(one.tool(), one.query(), std::move(segments));
+        return answer_of(staged_impact(question.input()), one.query().gap);
+    };
+    const auto filtered = [&asked](size_t q, const std::vector<int>& segments) {
+        return OptimizedQuestion(asked[q].tool(), asked[q].query()).among(segments);
+    };
+    std::vector<Method> methods;
+    const auto add = [&](const char* name, const char* implementation, const char* what, auto answer) {
+        methods.push_back(
+            {name, implementation, what, "search", true, {}, [prepared, answer](size_t q) { return answer(q); }});
+    };
+    add("all segments", "reference", "every sub-triangle of the tool is asked",
+        [=](size_t q) { return staged(q, of[q]->all()); });
+    add("tree of boxes", "reference", "segments whose grown box holds the node",
+        [=, &asked](size_t q) { return staged(q, of[q]->candidates(asked[q].query().point)); });
+    add("all segments", "optimized", "every sub-triangle of the tool is asked",
+        [=](size_t q) { return filtered(q, of[q]->all()); });
+    add("the reference's tree", "optimized", "segments whose grown box holds the node",
+        [=, &asked](size_t q) { return filtered(q, of[q]->candidates(asked[q].query().point)); });
+    add("tree of prisms", "optimized", "segments whose region, in which they take nodes at all, holds the node",
+        [=, &asked](size_t q) {
+            const OptimizedQuestion question(asked[q].tool(), asked[q].query());
+            return answer_of(of[q]->search().search(question.point(), question.window(), {}), asked[q].query().gap);
+        });
+    add("certificates, then the tree", "optimized",
+        "the sub-triangle of the cycle before, where it is proven that no other can take the node",
+        [=, &asked](size_t q) {
+            const OptimizedQuestion question(asked[q].tool(), asked[q].query());
+            optimized::Memory memory = of[q]->memory(asked[q].number);
+            return answer_of(of[q]->search().find(question.point(), question.window(), {}, memory).retained,
+                             asked[q].query().gap);
+        });
+    return methods;
+}
+
+}  // namespace type21::accuracy

@@ -1,0 +1,60 @@
+/// @file Two result folders, or a result folder and the measured histories of a case.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/results/compare/compare_tables.h"
+
+namespace type21 {
+
+/// What a case says about the comparison of one of its files.
+struct FileRule {
+    std::string reference;  ///< file name in the second folder
+    std::string ours;       ///< file name in the first folder
+    CompareOptions options;
+    std::string label;   ///< "check 'interface'"
+    std::string reason;  ///< for its tolerance and exclusions
+};
+
+struct FolderOptions {
+    std::optional<double> tolerance;   ///< overrides every rule
+    std::vector<std::string> columns;  ///< only these, in whichever file has them
+    std::vector<FileRule> rules;       ///< files without a rule are compared with the defaults
+};
+
+struct FileComparison {
+    std::string name;  ///< of the reference file
+    FileRule rule;
+    TableResult table;
+};
+
+/// The earliest difference above its tolerance, and where it is.
+struct FirstDifference {
+    std::string file, column;
+    Difference difference;
+};
+
+struct FolderComparison {
+    std::vector<FileComparison> files;
+    std::vector<std::string> notes;
+    std::vector<std::string> mismatches;  ///< missing or unreadable files
+    bool nothing_in_common = false;
+
+    bool ok() const;
+    /// Where the histories part: the earliest difference above its tolerance, of the first file that has it.
+    std::optional<FirstDifference> first() const;
+};
+
+/// "nodes.csv" for "tool.csv": the tool's nodes are in the one file that a run writes. Otherwise the same name.
+std::string our_name(const std::string& reference_name);
+
+/// Pairs interface_*.csv, nodes.csv and rbody.csv by name; tool.csv of a case pairs with our nodes.csv. What only
+/// `ours` has is a mismatch when the reference is a result folder too (it has a run.json), and a note when it is a
+/// case.
+FolderComparison compare_folders(const std::filesystem::path& ours, const std::filesystem::path& reference,
+                                 const FolderOptions& options);
+
+}  // namespace type21

@@ -1,0 +1,18 @@
+/// @file A comparison for people and for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/results/compare/compare_folders.h"
+
+namespace type21 {
+
+/// One block a file, one line a column, and a last line with the verdict.
+std::string to_text(const FolderComparison& comparison);
+
+/// Infinite differences (NaN in a history) are written as the string "inf", since JSON has no such number.
+nlohmann::ordered_json to_json(const FolderComparison& comparison);
+
+}  // namespace type21

@@ -1,0 +1,133 @@
+#include "verification/results/record/run_summary.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "verification/decisions/queries/decision_text.h"
+#include "verification/results/record/interface_columns.h"
+#include "verification/support/build_info.h"
+
+namespace type21 {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json residual_json(const Residual& residual) {
+    return {{"relative_residual", residual.relative}, {"cycle", residual.cycle}, {"time", residual.time}};
+}
+
+Json balance_json(const InterfaceBalance& balance) {
+    return {{"force", residual_json(balance.force)},
+            {"power", residual_json(balance.power)},
+            {"CE_DAMP", residual_json(balance.damping_energy)},
+            {"CE_FRIC", residual_json(balance.friction_energy)},
+            {"heat", residual_json(balance.heat)},
+            {"cycles_in_contact", balance.cycles_in_contact}};
+}
+
+/// Bytes of state and constants that each effect holds per secondary node; an effect that is absent holds none.
+Json rooms_json(const std::vector<std::vector<EffectMemory>>& rooms, size_t interface) {
+    Json json = Json::object();
+    if (interface >= rooms.size()) return json;
+    for (const EffectMemory& room : rooms[interface])
+        json[std::string(name(room.effect))] = room.bytes_per_node;
+    return json;
+}
+
+Json contact_json(const ContactCount& count, const Model& model) {
+    Json json = {{"secondary_nodes", count.nodes},           {"in_contact_at_end", count.in_contact},
+                 {"sticking_at_end", count.sticking},        {"sliding_at_end", count.sliding},
+                 {"most_in_contact", count.most_in_contact}, {"cycles_in_contact", count.cycles_in_contact},
+                 {"deepest_penetration", count.deepest}};
+    if (count.deepest_node >= 0) {
+        json["deepest_node"] = model.nodes.id[static_cast<size_t>(count.deepest_node)];
+        json["deepest_time"] = count.deepest_time;
+    }
+    return json;
+}
+
+}  // namespace
+
+void RunSummary::observe(const CycleRecord& record) {
+    smallest_step = cycles == 0 ? record.next_step : std::min(smallest_step, record.next_step);
+    largest_step = std::max(largest_step, record.next_step);
+    cycles = record.cycle + 1;
+    time = record.time;
+    totals = *record.totals;
+    if (rooms.empty())
+        for (const auto& method : *record.methods)
+            rooms.push_back(method->memory_by_effect());
+    stage_counts.resize(record.methods->size());
+    for (size_t i = 0; i < stage_counts.size(); ++i)
+        stage_counts[i] = (*record.methods)[i]->decision_stage_counts();
+}
+
+std::string_view name(RunSummary::State state) {
+    switch (state) {
+        case RunSummary::State::running:
+            return "running";
+        case RunSummary::State::completed:
+            return "completed";
+        case RunSummary::State::stopped:
+            return "stopped";
+        case RunSummary::State::diverged:
+            return "diverged";
+    }
+    return "";
+}
+
+Json to_json(const RunSummary& summary, const HostScene& scene, const std::vector<std::string>& warnings) {
+    const BuildInfo& build = build_info();
+    const Model& model = *scene.host;
+    Json json = {{"program", "type21"},
+                 {"version", build.version},
+                 {"commit", build.commit},
+                 {"compiler", build.compiler},
+                 {"flags", build.flags},
+                 {"build_type", build.build_type},
+                 {"cpu", build.cpu},
+                 {"status", name(summary.state)},
+                 {"reason", summary.reason},
+                 {"cycles", summary.cycles},
+                 {"time", summary.time},
+                 {"smallest_step", summary.smallest_step},
+                 {"largest_step", summary.largest_step},
+                 {"wall_seconds", summary.wall_seconds},
+                 {"warnings", warnings}};
+    json.update(model_json(scene));
+    Json results = Json::array();
+    for (size_t i = 0; i < summary.totals.size(); ++i) {
+        Json final_values;
+        for (const InterfaceColumn& column : interface_columns())
+            final_values[column.name] = column.value(summary.totals[i]);
+        results.push_back({{"interface", model.interfaces[i].id},
+                           {"final", final_values},
+                           {"state_bytes_per_node", rooms_json(summary.rooms, i)},
+                           {"decisions", to_json(summary.stage_counts.at(i))},
+                           {"heat_to_blank", summary.totals[i].heat_to_blank},
+                           {"heat_to_tool", summary.totals[i].heat_to_tool},
+                           {"contact", contact_json(summary.contact.at(i), model)},
+                           {"balance", balance_json(summary.balance.at(i))}});
+    }
+    json["results"] = std::move(results);
+    return json;
+}
+
+void write_json(const std::filesystem::path& path, const Json& json) {
+    const std::filesystem::path fresh = path.string() + ".new";
+    {
+        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
+        // A name in a deck may be in any encoding: what is not UTF-8 is replaced, never thrown at the user.
+        file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+        file.flush();
+        if (!file) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
+    }
+    std::error_code error;
+    std::filesystem::rename(fresh, path, error);
+    if (error) throw std::runtime_error(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+}  // namespace type21

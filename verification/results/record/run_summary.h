@@ -1,0 +1,48 @@
+/// @file run.json: what was run, with what, and how it went.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "reference/host/march.h"
+#include "verification/results/balance/balance.h"
+#include "verification/results/balance/contact_count.h"
+
+namespace type21 {
+
+struct RunSummary {
+    enum class State { running, completed, stopped, diverged };
+    State state = State::running;
+    std::string reason;        ///< why it stopped, empty otherwise
+    long cycles = 0;           ///< number of cycles observed
+    double time = 0;           ///< t_n of the last cycle [time]
+    double smallest_step = 0;  ///< dt2 over the cycles [time]
+    double largest_step = 0;   ///< [time]
+    double wall_seconds = 0;
+    std::vector<InterfaceTotals> totals;  ///< of the last cycle, per interface
+    std::vector<InterfaceBalance> balance;
+    std::vector<ContactCount> contact;
+    std::vector<std::vector<EffectMemory>> rooms;   ///< what each interface holds per node
+    std::vector<DecisionStageCounts> stage_counts;  ///< what settled the decisions of each interface
+
+    void observe(const CycleRecord& record);
+};
+
+/// "running", "completed", "stopped" or "diverged".
+std::string_view name(RunSummary::State state);
+
+/// @param warnings  those of the deck, as text
+nlohmann::ordered_json to_json(const RunSummary& summary, const HostScene& scene,
+                               const std::vector<std::string>& warnings);
+
+/// The resolved model alone: units, parameters, surfaces, effects. Shared with `type21 check --json`.
+nlohmann::ordered_json model_json(const HostScene& scene);
+
+/// Replaces run.json in one move, so that a reader never sees half of it.
+/// @throws std::runtime_error naming the file
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
+
+}  // namespace type21
