@@ -8,7 +8,7 @@ namespace type21::optimized {
 namespace {
 
 /// C of the tool damping: twice the share of sqrt(inertia times stiffness).
-/// @page field Damp, Dampr; comment 19; departure D13
+/// @manual field Damp, Dampr; comment 19; departure D13
 double damping_of_tool(double share, double inertia, double stiffness) {
     return 2.0 * share * std::sqrt(inertia * stiffness);
 }
@@ -29,7 +29,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         tbb::blocked_range<int>(0, static_cast<int>(lists.size())),
         [&](const tbb::blocked_range<int>& range) {
             Workspace& w = work.local();
-            w.batch->cores = asked_again.often();
+            w.batch->cores = exclusive_region_policy.often();
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
                 ChunkLists& own = lists[static_cast<size_t>(c)];
@@ -44,7 +44,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         total.add(w.sums);
         cycle_paths.add(w.tally);
     }
-    asked_again.add(cycle_paths, count, laws.search->places());
+    exclusive_region_policy.add(cycle_paths, count, laws.search->places());
     counts.add(cycle_paths);
     counts.nodes += count;
     if (lanes && !laws.has(effect::friction)) total.without_friction();
@@ -97,7 +97,7 @@ ToolLoad Contact::State::tool_load(const Motion& motion) const {
 }
 
 /// The sensor alone where there is one, else the window of time.
-/// @page field Tstart, Tstop, sens_ID; comment 20
+/// @manual field Tstart, Tstop, sens_ID; comment 20
 bool Contact::State::active(double time) const {
     const Interface& card = *laws.card;
     if (card.sensor >= 0) return laws.model->sensors[static_cast<size_t>(card.sensor)].on(time);

@@ -11,7 +11,7 @@ namespace type21::optimized {
 namespace {
 
 /// k of a node, Stfac S between Stmin and Stmax, or Stfac alone.
-/// @page field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01
+/// @manual field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01
 double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
     if (card.istf == 1) return card.stfac;
     const double k = card.stfac * s;
@@ -104,7 +104,7 @@ Contact::State::First Contact::State::first_look(size_t i, const Vec3& position,
     const V3 y = from(at);
     First first;
     if (laws.as_built(Departure::D31)) {
-        Rules rules = laws.rules;
+        ProjectionLimits rules = laws.rules;
         rules.low = -0.05;
         rules.high = 1.05;
         first.retained = laws.search->search(y, {nodes.gap[i], card.depth, 0.0}, rules, false);

@@ -50,7 +50,7 @@ struct Contact::State {
     std::vector<ChunkLists> lists;  ///< one a chunk
     StepSums total;
     PathCounts counts;
-    AskedAgain asked_again;
+    ExclusiveRegionPolicy exclusive_region_policy;
     LeanStep lean;
     std::vector<Vec3> lean_force;
     std::vector<double> lean_stiffness;

@@ -11,7 +11,7 @@ namespace type21::optimized {
 
 /// Curvature of each main segment: smallest radius over its two mid-lines, L / |<dn, e>|, and the smallest cosine
 /// between its facet and its nodal normals.
-/// @page field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
+/// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 class AdaptiveLaw {
   public:
     AdaptiveLaw(const ContactModel& model, const Interface& interface, const Tool& tool);

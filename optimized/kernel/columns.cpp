@@ -135,26 +135,26 @@ void all_from_rows_two(const ConstComponents& from, int count, double* to) {
     all_from_rows<2>(from, count, to);
 }
 
-void write_rows(const ConstComponents& from, int count, double* to, Machine machine) {
+void write_rows(const ConstComponents& from, int count, double* to, SimdWidth machine) {
     compiled_for(machine, all_from_rows_eight, all_from_rows_four, all_from_rows_two)(from, count, to);
 }
 
 }  // namespace
 
-void into_rows(const V3* from, int count, const Components& to, Machine machine) {
+void into_rows(const V3* from, int count, const Components& to, SimdWidth machine) {
     compiled_for(machine, all_into_rows_eight, all_into_rows_four, all_into_rows_two)(&from->x, count, to);
 }
 
-void into_rows(std::span<const Vec3> from, const int* index, int count, const Components& to, Machine machine) {
+void into_rows(std::span<const Vec3> from, const int* index, int count, const Components& to, SimdWidth machine) {
     compiled_for(machine, chosen_into_rows_eight, chosen_into_rows_four, chosen_into_rows_two)(from.data()->data(),
                                                                                                index, count, to);
 }
 
-void from_rows(const ConstComponents& from, int count, V3* to, Machine machine) {
+void from_rows(const ConstComponents& from, int count, V3* to, SimdWidth machine) {
     write_rows(from, count, &to->x, machine);
 }
 
-void from_rows(const ConstComponents& from, int count, Vec3* to, Machine machine) {
+void from_rows(const ConstComponents& from, int count, Vec3* to, SimdWidth machine) {
     write_rows(from, count, to->data(), machine);
 }
 

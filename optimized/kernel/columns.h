@@ -16,13 +16,13 @@ using Components = std::array<double*, 3>;
 using ConstComponents = std::array<const double*, 3>;
 
 /// from[0], from[1], ... into rows.
-void into_rows(const V3* from, int count, const Components& to, Machine machine = this_machine());
+void into_rows(const V3* from, int count, const Components& to, SimdWidth machine = this_machine());
 /// from[index[0]], from[index[1]], ... into rows; mostly these follow each other.
 void into_rows(std::span<const Vec3> from, const int* index, int count, const Components& to,
-               Machine machine = this_machine());
+               SimdWidth machine = this_machine());
 /// The other way.
-void from_rows(const ConstComponents& from, int count, V3* to, Machine machine = this_machine());
-void from_rows(const ConstComponents& from, int count, Vec3* to, Machine machine = this_machine());
+void from_rows(const ConstComponents& from, int count, V3* to, SimdWidth machine = this_machine());
+void from_rows(const ConstComponents& from, int count, Vec3* to, SimdWidth machine = this_machine());
 
 template <size_t room>
 void into_rows(const V3* from, int count, double (&to)[3][room]) {

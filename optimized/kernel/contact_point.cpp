@@ -68,7 +68,7 @@ ContactPoint contact_point_as_built(const Tool& tool, const Retained& r, const V
 ContactPoint contact_point_at_start(const Tool& tool, const Retained& r, const V3& y) {
     const SegmentData s = tool.segment(r.segment);
     const PieceCorners k = piece_corners(s.triangle, r.piece);
-    const Landing& l = r.landing;
+    const ProjectionResult& l = r.landing;
     const PointWeights w{1 - l.b - l.c, l.b, l.c};
     const auto at = [&](const std::array<V3, 4>& v) {
         return w.of(s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);

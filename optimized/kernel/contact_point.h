@@ -45,7 +45,7 @@ struct PointWeights {
 
 /// X = aA + bB + cC, nu = n / |n|, delta = lift |n|.
 inline ContactPoint contact_point(const Tool& tool, const Retained& r, const ToolMotion& pose) {
-    const Landing& l = r.landing;
+    const ProjectionResult& l = r.landing;
     const V3 x = landed_at(tool.segment(r.segment), r.piece, l.b, l.c);
     const double length = norm(l.normal);
     ContactPoint point;
@@ -58,12 +58,12 @@ inline ContactPoint contact_point(const Tool& tool, const Retained& r, const Too
 /// D12: the direction of h = P - X, with the sign of the normal interpolated at (b, c); zero where h is. As measured,
 /// it is formed with the corners brought to global axes, and with weights from the projection of section 3 step by step
 /// in space: near the surface the direction is the noise of exactly these operations.
-/// @page departure D12
+/// @manual departure D12
 ContactPoint contact_point_as_built(const Tool& tool, const Retained& retained, const V3& y, const Vec3& position,
                                     const ToolMotion& pose);
 
 /// D31, at time 0: the distance along the normal interpolated at (b, c), P - X with it. In the tool frame.
-/// @page departure D31
+/// @manual departure D31
 ContactPoint contact_point_at_start(const Tool& tool, const Retained& retained, const V3& y);
 
 }  // namespace type21::optimized

@@ -48,7 +48,7 @@ ForceCycle::ForceCycle(const Laws& of, const Cycle& cycle) : laws(&of) {
     inacti6 = cycle.inacti == 6;
 }
 
-void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, Machine machine) {
+void to_tool_frame(Search::Batch& rows, int count, const ForceCycle& cycle, SimdWidth machine) {
     compiled_for(machine, transform_eight, transform_four, transform_two)(rows, count, cycle);
 }
 

@@ -266,13 +266,13 @@ void act_two(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlo
 }
 
 template <unsigned Effects>
-Forces forces_on(Machine machine) {
+Forces forces_on(SimdWidth machine) {
     return compiled_for(machine, act_eight<Effects>, act_four<Effects>, act_two<Effects>);
 }
 
 }  // namespace
 
-Forces forces_for(unsigned effects, Machine machine) {
+Forces forces_for(unsigned effects, SimdWidth machine) {
     constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax, law = effect::law;
     switch (effects & (damping | rubbing | pmax | law)) {
         case 0:

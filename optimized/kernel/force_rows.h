@@ -76,8 +76,9 @@ inline void fetch(const std::vector<double>& from, int first, int count, double*
 }
 
 /// What a step asks of the nodes until their decisions are there, and for their forces then.
-Ahead asked_by_search(const NodeData& nodes, const Motion& motion);
-void add_forces(const NodeData& nodes, const Motion& motion, const Vec3* forces, const double* stiffness, Ahead& ahead);
+Prefetcher asked_by_search(const NodeData& nodes, const Motion& motion);
+void add_forces(const NodeData& nodes, const Motion& motion, const Vec3* forces, const double* stiffness,
+                Prefetcher& ahead);
 
 /// What holds for all nodes of a cycle.
 struct ForceCycle {
@@ -99,13 +100,13 @@ struct ForceCycle {
 /// terms of the sums, zeros where a node is not closed.
 using Forces = void (*)(const ForceCycle&, const Search::Batch&, ForceRows&, TermBlock&);
 /// @param effects  of damping, friction, law and pmax
-Forces forces_for(unsigned effects, Machine machine = this_machine());
+Forces forces_for(unsigned effects, SimdWidth machine = this_machine());
 
 /// mu of some columns whose closed, normal_force and sliding stand in the rows.
 void coefficients_in_rows(const ForceCycle& cycle, const Search::Batch& batch, ForceRows& rows, int column, int count);
 
 /// y = R^T (x - x_G) of the nodes of a batch, which has x in its place; the operations and their order are part of the
 /// position that decisions are exact for.
-void to_tool_frame(Search::Batch& batch, int count, const ForceCycle& cycle, Machine machine = this_machine());
+void to_tool_frame(Search::Batch& batch, int count, const ForceCycle& cycle, SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

@@ -12,7 +12,7 @@
 namespace type21::optimized {
 
 /// mu of pressure p and sliding speed s, of one set of numbers.
-/// @page eq 9, 10, 11; field Ifric; comment 13; departure D10
+/// @manual eq 9, 10, 11; field Ifric; comment 13; departure D10
 class FrictionLaw {
   public:
     FrictionLaw() = default;
@@ -27,7 +27,7 @@ class FrictionLaw {
 };
 
 /// Which numbers hold for a pair of parts: those of the card, or those of /FRICTION.
-/// @page field fric_ID
+/// @manual field fric_ID
 class FrictionTable {
   public:
     FrictionTable() = default;
@@ -44,7 +44,7 @@ class FrictionTable {
 };
 
 /// alpha of the filter for a step dt1 of the increment: 1 without a filter, never above 1 but for D06.
-/// @page eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07, D28
+/// @manual eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07, D28
 double filter_share(const Interface& interface, double step, const AsBuilt& as_built);
 
 /// F_t and what it was before the limit.
@@ -57,7 +57,7 @@ struct Tangential {
 /// T is the old force and the increment k v dt1, both brought to the plane normal to nu; F_t is T shortened to the
 /// limit.
 /// @param growth  alpha k dt1 [force time/length]
-/// @page eq 12; comment 14
+/// @manual eq 12; comment 14
 inline Tangential returned_to_limit(const V3& old, const V3& velocity, double growth, const V3& nu, double limit) {
     const V3 sum = old + velocity * growth;
     const V3 trial = sum - nu * dot(sum, nu);
@@ -67,7 +67,7 @@ inline Tangential returned_to_limit(const V3& old, const V3& velocity, double gr
 }
 
 /// |F_t| sqrt 3 / (Pskid A) of a sliding node, at most 1.
-/// @page field Pskid
+/// @manual field Pskid
 inline double skid_share(double force, double pskid, double area) {
     if (!(area > 0)) return 0;
     const double share = force * std::sqrt(3.0) / (pskid * area);

@@ -30,7 +30,7 @@ struct GrownGap {
     double clipped = 0;  ///< g [length]
 };
 
-/// @page eq 2, 4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D30
+/// @manual eq 2, 4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D30
 class GapLaw {
   public:
     GapLaw(const ContactModel& model, const Interface& interface);

@@ -112,7 +112,7 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
     static_assert(Search::Batch::part == TermBlock::room);
     batch.depth = laws.card->depth;
     batch.proximity = laws.proximity;
-    Ahead ahead = asked_by_search(nodes, cycle.motion);
+    Prefetcher ahead = asked_by_search(nodes, cycle.motion);
     add_forces(nodes, cycle.motion, out.force, out.step_stiffness, ahead);
     batch.ahead = &ahead;
     f.told = out.node != nullptr || laws.has(effect::lists);

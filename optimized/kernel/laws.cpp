@@ -11,7 +11,7 @@ Laws::Laws(const Scene& scene, int interface)
       friction_law(card->ifric, model->as_built),
       friction_table(*model, *card) {
     const auto asked = [&](Effect e) { return scene.has(interface, e); };
-    rules.one_race = d11 = as_built(Departure::D11);
+    rules.proximity_competes = d11 = as_built(Departure::D11);
     rules.lift_leaning = as_built(Departure::D35);
     d05 = as_built(Departure::D05) && card->istf == 1 && card->igap != 2;
     d08 = as_built(Departure::D08);

@@ -62,7 +62,7 @@ struct Laws {
     const Interface* card;
     Tool tool;
     std::unique_ptr<Search> search;
-    Rules rules;
+    ProjectionLimits rules;
     double proximity = 0;  ///< [length]
 
     FrictionLaw friction_law;

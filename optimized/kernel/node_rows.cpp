@@ -62,8 +62,8 @@ void ForceRows::give(bool acts, Vec3* all_forces, double* all_stiffness) const {
     }
 }
 
-Ahead asked_by_search(const NodeData& nodes, const Motion& motion) {
-    Ahead ahead(static_cast<int>(nodes.node.size()));
+Prefetcher asked_by_search(const NodeData& nodes, const Motion& motion) {
+    Prefetcher ahead(static_cast<int>(nodes.node.size()));
     ahead.add(motion.position, nodes.node);
     ahead.add(nodes.memory);
     ahead.add(nodes.gap);
@@ -72,7 +72,7 @@ Ahead asked_by_search(const NodeData& nodes, const Motion& motion) {
 }
 
 void add_forces(const NodeData& nodes, const Motion& motion, const Vec3* forces, const double* stiffness,
-                Ahead& ahead) {
+                Prefetcher& ahead) {
     ahead.add(motion.velocity, nodes.node);
     ahead.add(nodes.cycles);
     ahead.add(nodes.friction);

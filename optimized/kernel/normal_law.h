@@ -17,7 +17,7 @@ inline double penetration_beyond_rounding(double gap, double distance, double la
 }
 
 /// P0 that time 0 leaves behind for a penetration p > 0: Inacti 5 all of it, 6 a little more, else nothing.
-/// @page field Inacti; comment 9; departure D26
+/// @manual field Inacti; comment 9; departure D26
 inline double offset_at_start(int inacti, double p, double gap, double depth) {
     switch (inacti) {
         case 5:
@@ -30,7 +30,7 @@ inline double offset_at_start(int inacti, double p, double gap, double depth) {
 }
 
 /// P0 after one more cycle, min(P0, 0.95 P0 + 0.05 p), Inacti 6 with p + 0.05 |g - p|.
-/// @page field Inacti; comment 9
+/// @manual field Inacti; comment 9
 inline double offset_after(double offset, bool inacti6, double p, double gap) {
     const double toward = inacti6 ? p + 0.05 * std::abs(gap - p) : p;
     const double moved = 0.95 * offset + 0.05 * toward;
@@ -51,7 +51,7 @@ inline Spring linear_spring(double k, double p) {
 /// penetration has used up the growth, then stiffens again with slope k. Its energy is that of a spring of the same
 /// force, and the plateau's for the rest of the way.
 /// @param growth  max(g - g0, 0) [length]   @param most  P_A = A Pmax [force]
-/// @page eq 5; field Pmax; comment 5
+/// @manual eq 5; field Pmax; comment 5
 inline Spring yielding_spring(double k, double p, double growth, double most) {
     if (!(k * growth > most)) return linear_spring(k, p);
     Spring spring;

@@ -7,13 +7,13 @@ namespace type21::optimized {
 
 bool Decider::beats(const Contender& one, const Contender& other) const {
     if (one.unsure || other.unsure) return false;
-    if (one.kind != other.kind && !rules_.one_race) return one.kind == Kind::contact;
+    if (one.kind != other.kind && !rules_.proximity_competes) return one.kind == Kind::contact;
     return one.high < other.low;
 }
 
 void Decider::add(int rank, int piece, const FilterResult& result) {
     if (result.verdict == Verdict::rejected || result.verdict == Verdict::beyond) return;
-    const Landing& landing = result.landing;
+    const ProjectionResult& landing = result.landing;
     const Contender one{rank,
                         piece,
                         landing.kind,
@@ -66,7 +66,8 @@ bool lower(const Contender& one, const Contender& other) {
 
 /// The place of the retained one in 100 bits, nobody where none takes the node, or nothing where these cannot tell.
 std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> contenders,
-                                    std::span<const SegmentData> segments, const Window& window, const Rules& rules) {
+                                    std::span<const SegmentData> segments, const ContactReach& window,
+                                    const ProjectionLimits& rules) {
     size_t first = nobody;
     Kind kind = Kind::none;
     FineKappa kappa;
@@ -76,7 +77,7 @@ std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> cont
         if (result.verdict == Verdict::rejected || result.verdict == Verdict::beyond) continue;
         if (result.verdict == Verdict::unsure) return std::nullopt;
         bool better = first == nobody;
-        if (first != nobody && kind != result.landing.kind && !rules.one_race) {
+        if (first != nobody && kind != result.landing.kind && !rules.proximity_competes) {
             better = result.landing.kind == Kind::contact;
         } else if (first != nobody) {
             // The difference rounds once more, relative to itself.
@@ -93,14 +94,14 @@ std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> cont
 }
 
 size_t first_in_whole(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-                      const Window& window, const Rules& rules) {
+                      const ContactReach& window, const ProjectionLimits& rules) {
     size_t first = nobody;
     ExactLanding least;
     for (size_t i = 0; i < contenders.size(); ++i) {
         ExactLanding one = exact_landing(p, segments[i], contenders[i].piece, window, rules);
         if (!one.taken) continue;
         bool better = first == nobody;
-        if (!better && one.landing.kind != least.landing.kind && !rules.one_race) {
+        if (!better && one.landing.kind != least.landing.kind && !rules.proximity_competes) {
             better = one.landing.kind == Kind::contact;
         } else if (!better) {
             const int order = compare_kappa(one, least);
@@ -115,7 +116,8 @@ size_t first_in_whole(const V3& p, std::span<const Contender> contenders, std::s
 
 /// Magnitudes are a function of node and sub-triangle alone, whoever the other contenders were and whatever settled the
 /// decision: those of the first stage that can tell all of it.
-Landing magnitudes(const V3& p, const SegmentData& segment, int piece, const Window& window, const Rules& rules) {
+ProjectionResult magnitudes(const V3& p, const SegmentData& segment, int piece, const ContactReach& window,
+                            const ProjectionLimits& rules) {
     const auto good = [](const FilterResult& r) { return r.verdict == Verdict::taken && r.landing.side != 0; };
     const FilterResult fast = filter(p, segment, local_segment(segment), piece, window, rules);
     if (good(fast)) return fast.landing;

@@ -29,7 +29,7 @@ inline Stage stage_of(Settled settled) {
 struct Retained {
     int segment = -1;  ///< -1: nothing takes the node
     int piece = 0;     ///< sub-triangle k
-    Landing landing;
+    ProjectionResult landing;
     Settled settled = Settled::filter;
 };
 
@@ -38,7 +38,8 @@ struct Retained {
 /// from it.
 class Decider {
   public:
-    Decider(const V3& p, const Window& window, const Rules& rules) : p_(p), window_(window), rules_(rules) {}
+    Decider(const V3& p, const ContactReach& window, const ProjectionLimits& rules)
+        : p_(p), window_(window), rules_(rules) {}
 
     /// Lets every sub-triangle of a segment compete.
     void add(int rank, const SegmentData& segment) {
@@ -115,13 +116,13 @@ class Decider {
     Retained settle(std::span<const Contender> contenders, std::span<const SegmentData> segments) const;
 
     V3 p_;
-    Window window_;
-    Rules rules_;
+    ContactReach window_;
+    ProjectionLimits rules_;
     size_t count_ = 0;
     std::array<Contender, room> list_;
     Leader leader_;
     std::vector<Contender> more_;  ///< beyond the room: so many are rare
-    Landing best_;                 ///< of the one at best_place_: the last that was alone, or a lower one after it
+    ProjectionResult best_;        ///< of the one at best_place_: the last that was alone, or a lower one after it
     std::int64_t best_place_ = -1;
 };
 

@@ -85,7 +85,7 @@ WholePiece whole_piece(const V3& p, const SegmentData& segment, int k, bool room
 }
 
 /// Weights b / total, c / total with total > 0 against the limits, which are dyadic.
-bool inside(const Whole& b, const Whole& c, const Whole& total, const Rules& rules) {
+bool inside(const Whole& b, const Whole& c, const Whole& total, const ProjectionLimits& rules) {
     const auto less = [&](const Whole& weight, double limit) {  // weight < limit total
         const Dyadic d = dyadic(limit);
         const Whole bound = total * static_cast<long>(d.mantissa);
@@ -101,7 +101,8 @@ bool inside(const Whole& b, const Whole& c, const Whole& total, const Rules& rul
 /// First-pass weights times a common positive factor, and that factor; false where the lifted triangle is turned over
 /// or P is outside. Source: formulation section 3, steps 1 and 2.
 bool lifted_weights(const WholePiece& t, const WholeVector& area, size_t axis, const Whole& height,
-                    const std::array<Whole, 3>& slope, const Rules& rules, std::array<Whole, 3>& weight, Whole& total) {
+                    const std::array<Whole, 3>& slope, const ProjectionLimits& rules, std::array<Whole, 3>& weight,
+                    Whole& total) {
     std::array<Whole, 3> divisor{1, 1, 1};
     bool guarded = false;
     if (height != 0) {
@@ -156,7 +157,8 @@ Whole clip(const Whole& weight, const Whole& total) {
 }
 
 /// Steps 4 and 5: contact, proximity or nothing for weights b / total, c / total.
-Kind reached(const WholePiece& t, const Whole& b, const Whole& c, const Whole& total, int side, const Window& window) {
+Kind reached(const WholePiece& t, const Whole& b, const Whole& c, const Whole& total, int side,
+             const ContactReach& window) {
     const Whole a = total - b - c;
     const Whole bc = clip(b, total), cc = clip(c, total);
     const Whole sum = clip(a, total) + bc + cc;
@@ -177,7 +179,8 @@ Kind reached(const WholePiece& t, const Whole& b, const Whole& c, const Whole& t
 
 }  // namespace
 
-ExactLanding exact_landing(const V3& p, const SegmentData& segment, int k, const Window& window, const Rules& rules) {
+ExactLanding exact_landing(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
+                           const ProjectionLimits& rules) {
     ExactLanding result;
     const WholePiece t = whole_piece(p, segment, k, rules.lift_leaning);
     const WholeVector area = cross(t.e1, t.e2);
@@ -215,7 +218,7 @@ ExactLanding exact_landing(const V3& p, const SegmentData& segment, int k, const
     result.kappa_over = abs(third_b) + abs(third_c) + abs(third_b + third_c);
     result.kappa_under = total;
 
-    Landing& landing = result.landing;
+    ProjectionResult& landing = result.landing;
     landing.kind = kind;
     landing.side = side;
     landing.b = quotient(b, total);

@@ -52,7 +52,8 @@ Answer positive(double value, double bound) {
 
 /// Are the weights (scaled by total > 0) within the limits, each test known to within bound?
 template <class Real>
-TYPE21_INLINE Answer inside(const Real& b, const Real& c, const Real& total, double bound, const Rules& rules) {
+TYPE21_INLINE Answer inside(const Real& b, const Real& c, const Real& total, double bound,
+                            const ProjectionLimits& rules) {
     const double over_b = leading(b - Real(rules.low) * total);
     const double over_c = leading(c - Real(rules.low) * total);
     const double under = leading(Real(rules.high) * total - (b + c));
@@ -63,7 +64,7 @@ TYPE21_INLINE Answer inside(const Real& b, const Real& c, const Real& total, dou
 /// @param fine  filled with kappa as it was computed; nullptr: not asked for
 template <class Real>
 TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, const LocalSegmentIn<Real>& local, int k,
-                                     const Window& window, const Rules& rules, FineKappa* fine) {
+                                     const ContactReach& window, const ProjectionLimits& rules, FineKappa* fine) {
     constexpr double e = Rounding<Real>::unit;
     const Real one(1);
     FilterResult result;
@@ -210,7 +211,7 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
         }
     }
 
-    Landing& landing = result.landing;
+    ProjectionResult& landing = result.landing;
     landing.kind = kind;
     landing.side = front == Answer::yes ? 1 : (front == Answer::no ? -1 : 0);
     const Real third = Rounding<Real>::third();
@@ -235,29 +236,29 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
 
 }  // namespace
 
-FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k, const Window& window,
-                    const Rules& rules) {
+FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k,
+                    const ContactReach& window, const ProjectionLimits& rules) {
     return filter_in<double>(p, segment, local, k, window, rules, nullptr);
 }
 
 namespace {
 
 template <bool fused>
-TYPE21_INLINE FilterResult fine_filter_in(const V3& p, const SegmentData& segment, int k, const Window& window,
-                                          const Rules& rules, FineKappa& kappa) {
+TYPE21_INLINE FilterResult fine_filter_in(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
+                                          const ProjectionLimits& rules, FineKappa& kappa) {
     using Real = TwoDoublesOf<fused>;
     return filter_in<Real>(p, segment, local_segment_in<Real>(segment), k, window, rules, &kappa);
 }
 
-TYPE21_FMA FilterResult fused_filter(const V3& p, const SegmentData& segment, int k, const Window& window,
-                                     const Rules& rules, FineKappa& kappa) {
+TYPE21_FMA FilterResult fused_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
+                                     const ProjectionLimits& rules, FineKappa& kappa) {
     return fine_filter_in<true>(p, segment, k, window, rules, kappa);
 }
 
 }  // namespace
 
-FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const Window& window, const Rules& rules,
-                         FineKappa& kappa) {
+FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
+                         const ProjectionLimits& rules, FineKappa& kappa) {
     return has_fma() ? fused_filter(p, segment, k, window, rules, kappa)
                      : fine_filter_in<false>(p, segment, k, window, rules, kappa);
 }

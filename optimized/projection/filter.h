@@ -15,7 +15,7 @@ enum class Verdict {
 };
 
 /// Magnitudes of a projection (formulation section 3 and 5).
-struct Landing {
+struct ProjectionResult {
     Kind kind = Kind::none;
     int side = 0;             ///< sign of H; 0: not proven
     double b = 0, c = 0;      ///< weights of Q, unclipped [-]
@@ -30,7 +30,7 @@ struct Landing {
 
 struct FilterResult {
     Verdict verdict = Verdict::unsure;
-    Landing landing;  ///< filled when taken or beyond
+    ProjectionResult landing;  ///< filled when taken or beyond
 };
 
 /// kappa of a sub-triangle in 100 bits.
@@ -41,12 +41,12 @@ struct FineKappa {
 
 /// @param p       the node in the tool frame [length]
 /// @param k       sub-triangle, 1..4 (1 for a triangle)
-FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k, const Window& window,
-                    const Rules& rules);
+FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k,
+                    const ContactReach& window, const ProjectionLimits& rules);
 
 /// The same in numbers of 100 bits: near-ties of structured meshes, whose kappa differ in the rounding of coordinates
 /// only, end here.
-FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const Window& window, const Rules& rules,
-                         FineKappa& kappa);
+FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
+                         const ProjectionLimits& rules, FineKappa& kappa);
 
 }  // namespace type21::optimized

@@ -9,7 +9,7 @@ namespace {
 
 /// The columns from `at` on.
 template <int W>
-TYPE21_INLINE void land(LandingRows& rows, const LandingPlace& place, int at, const LandingLimits& limits) {
+TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at, const LandingLimits& limits) {
     using L = Lanes<W>;
     using I = WholeLanes<L>;
     using V = VectorLanes<L>;
@@ -188,32 +188,32 @@ TYPE21_INLINE void land(LandingRows& rows, const LandingPlace& place, int at, co
 }
 
 template <int W>
-TYPE21_INLINE void land_all(LandingRows& rows, const LandingPlace& place, int first, int last,
+TYPE21_INLINE void land_all(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
                             const LandingLimits& limits) {
     for (int at = first; at < last; at += W)
         land<W>(rows, place, at, limits);
 }
 
-TYPE21_AVX512 void land_eight(LandingRows& rows, const LandingPlace& place, int first, int last,
+TYPE21_AVX512 void land_eight(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
                               const LandingLimits& limits) {
     land_all<8>(rows, place, first, last, limits);
 }
-TYPE21_AVX2 void land_four(LandingRows& rows, const LandingPlace& place, int first, int last,
+TYPE21_AVX2 void land_four(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
                            const LandingLimits& limits) {
     land_all<4>(rows, place, first, last, limits);
 }
-void land_two(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits) {
+void land_two(ProjectionBatch& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits) {
     land_all<2>(rows, place, first, last, limits);
 }
 
 }  // namespace
 
-void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits, Machine machine) {
-    plain_landing(rows, place_in(rows, 0), first, last, limits, machine);
+void project_double(ProjectionBatch& rows, int first, int last, const LandingLimits& limits, SimdWidth machine) {
+    project_double(rows, place_in(rows, 0), first, last, limits, machine);
 }
 
-void plain_landing(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
-                   Machine machine) {
+void project_double(ProjectionBatch& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
+                    SimdWidth machine) {
     compiled_for(machine, land_eight, land_four, land_two)(rows, place, first, last, limits);
 }
 

@@ -12,7 +12,7 @@
 namespace type21::optimized {
 
 /// Up to `room` nodes, each on a sub-triangle of its own: a row a number, a column a node.
-struct LandingRows {
+struct ProjectionBatch {
     static constexpr int room = 64;
     using Row = double[room];
 
@@ -76,11 +76,11 @@ struct LandingLimits {
 /// Fills what is found. `certain` is not 0 where the node is one for which bounds were foreseen (foreseen_bounds.h), it
 /// lies in the core, lands where it is surely taken, off the plane and away from its reach by more than rounding.
 /// @param first, last  columns, first a multiple of eight; those up to the next one behind the last are computed too
-void plain_landing(LandingRows& rows, int first, int last, const LandingLimits& limits,
-                   Machine machine = this_machine());
+void project_double(ProjectionBatch& rows, int first, int last, const LandingLimits& limits,
+                    SimdWidth machine = this_machine());
 /// The same; y and gap are taken from there, and b, c, lift, n and x put there.
-void plain_landing(LandingRows& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
-                   Machine machine = this_machine());
+void project_double(ProjectionBatch& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
+                    SimdWidth machine = this_machine());
 
 /// Step 6.
 inline double kappa_of(double b, double c) {

@@ -38,7 +38,7 @@ TYPE21_INLINE void choose_fine(const I& mask, const FineVector<Real>& p, FineVec
 }
 
 template <int W, bool fused>
-TYPE21_INLINE void land(const LandingRows& rows, int at, FineKappaRows& kappa) {
+TYPE21_INLINE void land(const ProjectionBatch& rows, int at, FineKappaRows& kappa) {
     using L = Lanes<W>;
     using I = WholeLanes<L>;
     using Real = TwoLanes<L, fused>;
@@ -47,7 +47,7 @@ TYPE21_INLINE void land(const LandingRows& rows, int at, FineKappaRows& kappa) {
     load(rows.code + at, code);
     const I odd = -(code & 1), late = -((code >> 1) & 1), triangle = -((code >> 2) & 1);
     const L zero = (L)(code ^ code);
-    const auto fetch = [&](const double(*row)[LandingRows::room], V& v) __attribute__((always_inline)) {
+    const auto fetch = [&](const double(*row)[ProjectionBatch::room], V& v) __attribute__((always_inline)) {
         load(row[0] + at, v.x.high);
         load(row[1] + at, v.y.high);
         load(row[2] + at, v.z.high);
@@ -128,22 +128,22 @@ TYPE21_INLINE void land(const LandingRows& rows, int at, FineKappaRows& kappa) {
     store(result.low, kappa.low + at);
 }
 
-TYPE21_AVX512 void land_eight(const LandingRows& rows, int count, FineKappaRows& kappa) {
+TYPE21_AVX512 void land_eight(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
     for (int at = 0; at < count; at += 8)
         land<8, true>(rows, at, kappa);
 }
-TYPE21_FMA void land_four(const LandingRows& rows, int count, FineKappaRows& kappa) {
+TYPE21_FMA void land_four(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
     for (int at = 0; at < count; at += 4)
         land<4, true>(rows, at, kappa);
 }
-void land_two(const LandingRows& rows, int count, FineKappaRows& kappa) {
+void land_two(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
     for (int at = 0; at < count; at += 2)
         land<2, false>(rows, at, kappa);
 }
 
 }  // namespace
 
-void fine_landing(const LandingRows& rows, int count, FineKappaRows& kappa, Machine machine) {
+void project_double_double(const ProjectionBatch& rows, int count, FineKappaRows& kappa, SimdWidth machine) {
     const auto four = has_fma() ? land_four : land_two;
     compiled_for(machine, land_eight, four, land_two)(rows, count, kappa);
 }

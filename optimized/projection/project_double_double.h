@@ -7,7 +7,7 @@ namespace type21::optimized {
 
 /// kappa = high + low [-].
 struct FineKappaRows {
-    alignas(64) LandingRows::Row high, low;
+    alignas(64) ProjectionBatch::Row high, low;
 };
 
 /// The bounds of filter() are proportional to the rounding of one operation, and here that is 2^-47 of what it is in
@@ -16,6 +16,7 @@ struct FineKappaRows {
 constexpr double fine_share = 0x1p-47;
 
 /// The operations of filter() in TwoDoubles. @param count  columns; up to the next multiple of eight are computed
-void fine_landing(const LandingRows& rows, int count, FineKappaRows& kappa, Machine machine = this_machine());
+void project_double_double(const ProjectionBatch& rows, int count, FineKappaRows& kappa,
+                           SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

@@ -27,18 +27,18 @@ inline PieceCorners piece_corners(bool triangle, int k) {
 }
 
 /// How far a node is seen by the tool, section 3 step 5.
-struct Window {
+struct ContactReach {
     double gap = 0;        ///< g [length]
     double depth = 0;      ///< DEPTH [length]
     double proximity = 0;  ///< largest reach of the active effects, 0: none [length]
 };
 
 /// What a departure changes in a decision.
-struct Rules {
-    double low = -0.01;         ///< a weight below it is outside; -0.05 in the first look of D31
-    double high = 1.01;         ///< b + c above it is outside; 1.05 with D31
-    bool one_race = false;      ///< D11: contact and proximity compete on kappa alone
-    bool lift_leaning = false;  ///< D35: <n_V, N> <= 0 is lifted with 1e-30 in its place
+struct ProjectionLimits {
+    double low = -0.01;               ///< a weight below it is outside; -0.05 in the first look of D31
+    double high = 1.01;               ///< b + c above it is outside; 1.05 with D31
+    bool proximity_competes = false;  ///< D11: contact and proximity compete on kappa alone
+    bool lift_leaning = false;        ///< D35: <n_V, N> <= 0 is lifted with 1e-30 in its place
 };
 
 /// D35's stand-in for a slope that is not positive.

@@ -64,7 +64,7 @@ int first_of_neighbours(int one, int other) {
 class Ties {
   public:
     Ties(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-         const Window& window, const Rules& rules)
+         const ContactReach& window, const ProjectionLimits& rules)
         : p_(p), contenders_(contenders), segments_(segments), window_(window), rules_(rules) {}
 
     bool all_above_corners() const {
@@ -135,8 +135,8 @@ class Ties {
     const V3& p_;
     std::span<const Contender> contenders_;
     std::span<const SegmentData> segments_;
-    const Window& window_;
-    const Rules& rules_;
+    const ContactReach& window_;
+    const ProjectionLimits& rules_;
 };
 
 }  // namespace
@@ -171,7 +171,7 @@ bool over_side(const V3& p, const SegmentData& segment, int k, int corner) {
 }
 
 bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-          const Window& window, const Rules& rules) {
+          const ContactReach& window, const ProjectionLimits& rules) {
     bool sure = true, at_corner = true;
     for (const Contender& one : contenders) {
         sure = sure && !one.unsure;

@@ -37,7 +37,7 @@ struct Contender {
 ///
 /// @param segments  of each contender
 bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-          const Window& window, const Rules& rules);
+          const ContactReach& window, const ProjectionLimits& rules);
 
 constexpr double kappa_on_corner = 4.0 / 3;
 

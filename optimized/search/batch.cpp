@@ -27,7 +27,7 @@ struct Flags {
     }
 };
 
-static_assert(Ahead::distance == Search::Batch::room);
+static_assert(Prefetcher::distance == Search::Batch::room);
 
 constexpr double taking = weight_limit + plain_share - foreseen_share;  ///< as a core: all that the sub-triangle takes
 
@@ -48,7 +48,7 @@ Retained Search::Batch::retained(int i) const {
     return r;
 }
 
-void Search::decide(Batch& batch, const Rules& rules, bool projects) const {
+void Search::decide(Batch& batch, const ProjectionLimits& rules, bool projects) const {
     int last[Batch::part], open[Batch::room], left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
@@ -103,7 +103,7 @@ double Search::least_weight(const Batch& batch, int i, int place) const {
 }
 
 void Search::land_in_place(Batch& batch, int first, int count, const int* last) const {
-    LandingRows& rows = batch.rows;
+    ProjectionBatch& rows = batch.rows;
     int place[Batch::part];
     // Those that do not look stand anywhere, and what they get is not asked.
     const int any = *std::max_element(last, last + count);
@@ -112,16 +112,16 @@ void Search::land_in_place(Batch& batch, int first, int count, const int* last) 
         tool_.prefetch_corners(segment_of(place[c]));
         rows.core[c] = least_weight(batch, first + c, place[c]);
     }
-    constexpr int group = Ahead::group;
+    constexpr int group = Prefetcher::group;
     for (int c = 0; c < count; c += group) {
         if (batch.ahead != nullptr) batch.ahead->ask(batch.first + first + c);
         gather_asked(rows, tool_, place + c, c, std::min(group, count - c), growth_);
     }
-    plain_landing(rows, place_in(batch, first), 0, count, landing_limits(batch.depth, batch.proximity));
+    project_double(rows, place_in(batch, first), 0, count, landing_limits(batch.depth, batch.proximity));
 }
 
 void Search::land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const {
-    LandingRows& rows = batch.rows;
+    ProjectionBatch& rows = batch.rows;
     int place[Batch::part] = {};
     for (int c = 0; c < count; ++c) {
         const int i = first + nodes[c];
@@ -130,13 +130,14 @@ void Search::land_apart(Batch& batch, int first, const int* nodes, int count, co
         rows.core[c] = least_weight(batch, i, place[c]);
     }
     gather(rows, tool_, place, 0, count, growth_);
-    plain_landing(rows, 0, count, landing_limits(batch.depth, batch.proximity));
+    project_double(rows, 0, count, landing_limits(batch.depth, batch.proximity));
     for (int c = 0; c < count; ++c)
         fill(batch, first + nodes[c], rows, c);
 }
 
-int Search::look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open, bool projects) const {
-    LandingRows& rows = batch.rows;
+int Search::look_again(Batch& batch, int first, const int* last, const ProjectionLimits& rules, int* open,
+                       bool projects) const {
+    ProjectionBatch& rows = batch.rows;
     const int count = std::min(Batch::part, batch.count - first);
     const Path* const path = batch.path + first;
     Flags looks;
@@ -149,7 +150,7 @@ int Search::look_again(Batch& batch, int first, const int* last, const Rules& ru
     if (in_place) {
         land_in_place(batch, first, count, last);
     } else {
-        for (int j = 0; j < count && batch.ahead != nullptr; j += Ahead::group)
+        for (int j = 0; j < count && batch.ahead != nullptr; j += Prefetcher::group)
             batch.ahead->ask(batch.first + first + j);
         land_apart(batch, first, nodes, looking, last);
     }
@@ -178,7 +179,7 @@ int Search::look_again(Batch& batch, int first, const int* last, const Rules& ru
 }
 
 void Search::complete(Batch& batch, int i, int c) {
-    LandingRows& rows = batch.rows;
+    ProjectionBatch& rows = batch.rows;
     stand_at(rows, c, batch.point(i), batch.gap[i]);
     for (int a = 0; a < 3; ++a)
         rows.n[a][c] = batch.n[a][i];
@@ -195,7 +196,7 @@ void Search::keep_held(Batch& batch, int i, int c) const {
         memory.keep_held(batch.point(i), ball, batch.side[i]);
 }
 
-void Search::find(const Asked* asked, int count, const Rules& rules, Found* found) const {
+void Search::find(const Asked* asked, int count, const ProjectionLimits& rules, Found* found) const {
     const auto batch = std::make_unique<Batch>();
     for (int i = 0; i < count; ++i) {
         // The depth is one for all nodes of a batch.
@@ -219,31 +220,31 @@ LandingLimits Search::landing_limits(double depth, double proximity) const {
     return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
 }
 
-void Search::stand_at(LandingRows& rows, int column, const V3& y, double gap) {
+void Search::stand_at(ProjectionBatch& rows, int column, const V3& y, double gap) {
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = y[a];
     rows.gap[column] = gap;
 }
 
-void Search::ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const {
+void Search::ask_at(ProjectionBatch& rows, int column, int place, const V3& y, double gap) const {
     stand_at(rows, column, y, gap);
-    rows.core[column] = foreseen(place) ? taking : double(beyond_foreseen);
+    rows.core[column] = a_priori_bounded(place) ? taking : double(beyond_foreseen);
 }
 
-void Search::land_one(const V3& y, const Window& window, int place, LandingRows& rows) const {
+void Search::land_one(const V3& y, const ContactReach& window, int place, ProjectionBatch& rows) const {
     ask_at(rows, 0, place, y, window.gap);
     gather(rows, tool_, &place, 0, 1, growth_);
-    plain_landing(rows, 0, 1, landing_limits(window.depth, window.proximity));
+    project_double(rows, 0, 1, landing_limits(window.depth, window.proximity));
 }
 
-void Search::take(Batch& batch, int i, int place, const LandingRows& rows, int column) const {
+void Search::take(Batch& batch, int i, int place, const ProjectionBatch& rows, int column) const {
     if (batch.memory != nullptr) batch.memory[i].look_at(place);
     batch.place[i] = place;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
     fill(batch, i, rows, column);
 }
 
-void Search::fill(Batch& batch, int i, const LandingRows& rows, int column) {
+void Search::fill(Batch& batch, int i, const ProjectionBatch& rows, int column) {
     batch.b[i] = rows.b[column];
     batch.c[i] = rows.c[column];
     batch.lift[i] = rows.lift[column];

@@ -105,8 +105,8 @@ void BoxTree::limit(Asked& query, double distance) {
         distance < 1e15 ? up(distance * distance * (1 + 1e-5) + double(tiny)) : std::numeric_limits<float>::infinity();
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes, Machine machine)
-    : ask_(machine == Machine::two ? ask_four : ask_eight) {
+BoxTree::BoxTree(const std::vector<Box>& boxes, SimdWidth machine)
+    : ask_(machine == SimdWidth::two ? ask_four : ask_eight) {
     const auto count = static_cast<std::int32_t>(boxes.size());
     if (count == 0) return;
     std::vector<Leaf> order(boxes.size());

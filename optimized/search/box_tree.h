@@ -19,7 +19,7 @@ class BoxTree {
     static constexpr int wide = 8;
 
     BoxTree() = default;
-    explicit BoxTree(const std::vector<Box>& boxes, Machine machine = this_machine());
+    explicit BoxTree(const std::vector<Box>& boxes, SimdWidth machine = this_machine());
 
     /// Calls found(rank) for each box that holds y (and for some that nearly do).
     template <class Found>

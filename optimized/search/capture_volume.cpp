@@ -17,8 +17,8 @@ std::array<V3, 3> drawn_out(const std::array<V3, 3>& v, double share) {
 
 }  // namespace
 
-Prism prism(const SegmentData& s, int k, const Limits& limits) {
-    Prism p;
+CaptureVolume prism(const SegmentData& s, int k, const Limits& limits) {
+    CaptureVolume p;
     const PieceCorners of = piece_corners(s.triangle, k);
     const auto mean = [](const std::array<V3, 4>& v) { return ((v[0] + v[1]) + (v[2] + v[3])) * 0.25; };
     p.corner = {s.triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(of.b)],
@@ -77,7 +77,7 @@ Prism prism(const SegmentData& s, int k, const Limits& limits) {
     return p;
 }
 
-double Prism::clearance(const V3& y) const {
+double CaptureVolume::clearance(const V3& y) const {
     Box plain;
     for (const V3& x : corner)
         plain.extend(x);
@@ -102,7 +102,7 @@ double Prism::clearance(const V3& y) const {
     return clear - slack;
 }
 
-Box Prism::box() const {
+Box CaptureVolume::box() const {
     Box box;
     for (const V3& x : corner)
         box.extend(x);

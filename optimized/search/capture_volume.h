@@ -24,7 +24,7 @@ struct Limits {
 /// All is computed in double; slack covers its rounding: the relative error of N is below 1e-11 here (else grown; edges
 /// are formed from one corner, so that a distant origin does not matter), no slope is below 0.05, so positions are off
 /// by less than 1e-8 of the size.
-struct Prism {
+struct CaptureVolume {
     bool grown = false;
     std::array<V3, 3> corner;   ///< A, B, C [length]
     std::array<V3, 3> rise;     ///< of each corner per height [-]
@@ -42,6 +42,6 @@ struct Prism {
     Box box() const;
 };
 
-Prism prism(const SegmentData& segment, int k, const Limits& limits);
+CaptureVolume prism(const SegmentData& segment, int k, const Limits& limits);
 
 }  // namespace type21::optimized

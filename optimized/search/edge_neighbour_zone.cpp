@@ -7,12 +7,12 @@
 
 namespace type21::optimized {
 
-Search::Standing Search::standing_in_rows(const LandingRows& rows, int i, double depth, int place) const {
+Search::Standing Search::standing_in_rows(const ProjectionBatch& rows, int i, double depth, int place) const {
     if (rows.certain[i] > 0) return Standing::taken;
     return rows.rejected[i] > 0 ? Standing::rejected : standing(rows, i, depth, place);
 }
 
-Search::Standing Search::standing(const LandingRows& rows, int i, double depth, int place) const {
+Search::Standing Search::standing(const ProjectionBatch& rows, int i, double depth, int place) const {
     const double size = rows.size[i], height2 = rows.height[i] * rows.height[i];
     const double rounding = foreseen_share * size;
     if (!(rows.core[i] < double(beyond_foreseen) && rows.far[i] <= size)) return Standing::unknown;
@@ -41,7 +41,7 @@ Search::Standing Search::standing(const LandingRows& rows, int i, double depth, 
 }
 
 /// Step 4: of the node from the point with its weights clipped.
-double Search::clipped_distance(const LandingRows& rows, int i, int place) const {
+double Search::clipped_distance(const ProjectionBatch& rows, int i, int place) const {
     const double a = 1 - rows.b[i] - rows.c[i];
     const double clipped[3] = {std::clamp(a, 0.0, 1.0), std::clamp(rows.b[i], 0.0, 1.0),
                                std::clamp(rows.c[i], 0.0, 1.0)};
@@ -52,7 +52,7 @@ double Search::clipped_distance(const LandingRows& rows, int i, int place) const
 }
 
 bool Search::over_corner(Batch& batch, int at, int i) const {
-    const LandingRows& rows = batch.rows;
+    const ProjectionBatch& rows = batch.rows;
     // With D35 one that leans has the corner and takes the node elsewhere.
     if (reach_box_.on || limits_.lift_leaning || rows.core[i] >= double(beyond_foreseen)) return false;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
@@ -70,7 +70,7 @@ bool Search::over_corner(Batch& batch, int at, int i) const {
 }
 
 bool Search::pair_up(Batch& batch, int at, int i) const {
-    const LandingRows& rows = batch.rows;
+    const ProjectionBatch& rows = batch.rows;
     if (reach_box_.on || rows.core[i] >= double(beyond_foreseen)) return false;
     const int own = batch.memory[at].place;
     const double w[3] = {rows.weight[0][i], rows.weight[1][i], rows.weight[2][i]};
@@ -92,17 +92,17 @@ bool Search::over_shared_side(const Batch& batch, const Batch::Pair& pair) const
     return over_side(y, tool_.segment(segment_of(pair.own)), piece_of(pair.own), pair.side);
 }
 
-void Search::decide_pairs(Batch& batch, const Rules& rules) const {
+void Search::decide_pairs(Batch& batch, const ProjectionLimits& rules) const {
     const int count = batch.pair_count;
     batch.pair_count = 0;
     if (count == 0) return;
     batch.tally.paired += count;
-    const LandingRows& rows = batch.partners;
-    int others[LandingRows::room];
+    const ProjectionBatch& rows = batch.partners;
+    int others[ProjectionBatch::room];
     for (int j = 0; j < count; ++j)
         others[j] = batch.pairs[j].other;
     gather(batch.partners, tool_, others, 0, count, growth_);
-    plain_landing(batch.partners, 0, count, landing_limits(batch.depth, batch.proximity));
+    project_double(batch.partners, 0, count, landing_limits(batch.depth, batch.proximity));
     for (int j = 0; j < count; ++j) {
         const Batch::Pair& pair = batch.pairs[j];
         batch.path[pair.column] = Path::paired;
@@ -134,13 +134,13 @@ double Search::fine_bound(int place) const {
     return std::ldexp(fine_share, -int(kappa_bits_[static_cast<size_t>(segment_of(place))]));
 }
 
-void Search::decide_close(Batch& batch, const Rules& rules) const {
-    LandingRows& rows = batch.others;
+void Search::decide_close(Batch& batch, const ProjectionLimits& rules) const {
+    ProjectionBatch& rows = batch.others;
     FineKappaRows& fine = batch.fine;
-    constexpr int part = LandingRows::room / 2;
+    constexpr int part = ProjectionBatch::room / 2;
     for (int first = 0; first < batch.close_count; first += part) {
         const int count = std::min(part, batch.close_count - first);
-        int place[LandingRows::room] = {};
+        int place[ProjectionBatch::room] = {};
         for (int j = 0; j < count; ++j) {
             const Batch::Pair& pair = batch.close[first + j];
             for (const int which : {0, 1}) {
@@ -149,7 +149,7 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
             }
         }
         gather(rows, tool_, place, 0, 2 * count, growth_);
-        fine_landing(rows, 2 * count, fine);
+        project_double_double(rows, 2 * count, fine);
         for (int j = 0; j < count; ++j) {
             const Batch::Pair& pair = batch.close[first + j];
             const int own = 2 * j, other = own + 1;
@@ -159,10 +159,10 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
             if (apart > unsure) {
                 batch.place[pair.column] = pair.own;
             } else if (apart < -unsure) {
-                LandingRows& landed = batch.partners;
+                ProjectionBatch& landed = batch.partners;
                 ask_at(landed, 0, pair.other, batch.point(pair.column), batch.gap[pair.column]);
                 gather(landed, tool_, &pair.other, 0, 1, growth_);
-                plain_landing(landed, 0, 1, landing_limits(batch.depth, batch.proximity));
+                project_double(landed, 0, 1, landing_limits(batch.depth, batch.proximity));
                 take(batch, pair.column, pair.other, landed, 0);
             } else {
                 put(batch, pair.column, decide_pair(batch, pair, rules));
@@ -176,10 +176,10 @@ void Search::decide_close(Batch& batch, const Rules& rules) const {
 }
 
 /// Only these two can take the node: the exact way of telling them apart.
-Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const {
+Search::Found Search::decide_pair(const Batch& batch, const Batch::Pair& pair, const ProjectionLimits& rules) const {
     const int i = pair.column;
     const V3 y = batch.point(i);
-    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    const ContactReach window{batch.gap[i], batch.depth, batch.proximity};
     Decider decider(y, window, rules);
     for (const int place : {pair.own, pair.other}) {
         const SegmentData segment = tool_.segment(segment_of(place));

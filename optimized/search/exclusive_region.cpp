@@ -70,10 +70,10 @@ float Search::new_core(int place) const {
 void Search::find_cores(int rank) const {
     const SegmentData segment = tool_.segment(rank);
     const auto pieces = static_cast<size_t>(segment.pieces());
-    std::array<Prism, 4> own;
+    std::array<CaptureVolume, 4> own;
     std::array<Box, 4> own_box;
-    std::array<OuterLines, 4> own_lines;
-    std::vector<PieceMargins> own_margins;
+    std::array<SeparatingLines, 4> own_lines;
+    std::vector<ExclusiveMargins> own_margins;
     own_margins.reserve(4);
     Box box;
     for (size_t k = 0; k < pieces; ++k) {
@@ -118,9 +118,9 @@ void Search::find_cores(int rank) const {
         const SegmentData facing = tool_.segment(near[i]);
         for (size_t j = 0; j < static_cast<size_t>(facing.pieces()); ++j) {
             const bool mine = near[i] == rank;
-            const Prism apart = mine ? own[j] : prism(facing, static_cast<int>(j) + 1, limits_);
+            const CaptureVolume apart = mine ? own[j] : prism(facing, static_cast<int>(j) + 1, limits_);
             const Box apart_box = mine ? own_box[j] : apart.box();
-            const OuterLines lines = mine ? own_lines[j] : outer_lines(apart);
+            const SeparatingLines lines = mine ? own_lines[j] : outer_lines(apart);
             const int place = place_of(near[i], static_cast<int>(j) + 1);
             for (size_t k = 0; k < pieces; ++k) {
                 if ((mine && j == k) || !apart_box.meets(own_box[k])) continue;
@@ -140,7 +140,7 @@ void Search::find_cores(int rank) const {
         const int place = place_of(rank, static_cast<int>(k) + 1);
         Margins& found = margins(place);
         float alone = rounded_up(crowded ? 1.0 : own_margins[k].alone());
-        if (crowded || !foreseen(place)) alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
+        if (crowded || !a_priori_bounded(place)) alone = std::nextafter(alone + beyond_foreseen, 2 * beyond_foreseen);
         found.pair.store(rounded_up(crowded ? 1.0 : own_margins[k].pair()), std::memory_order_relaxed);
         leads_[first + k].store(static_cast<unsigned char>(leads[k]), std::memory_order_relaxed);
         found.alone.store(alone, std::memory_order_release);

@@ -21,7 +21,7 @@ TYPE21_INLINE Corners corners(const Tool& tool, const Segments& segment, int j) 
             tool.numbers(segment[3], j)};
 }
 
-void gather_one_by_one(const Tool& tool, const Segments& segment, int at, LandingRows& rows) {
+void gather_one_by_one(const Tool& tool, const Segments& segment, int at, ProjectionBatch& rows) {
     for (int j = 0; j < 4; ++j) {
         const Corners from = corners(tool, segment, j);
         for (int i = 0; i < group; ++i) {
@@ -56,7 +56,7 @@ TYPE21_INLINE void turn(const Corners& from, int offset, double* x, double* y, d
     store(__builtin_shufflevector(odd, odd_too, 2, 3, 6, 7), w);
 }
 
-TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, LandingRows& rows) {
+TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, ProjectionBatch& rows) {
     for (int j = 0; j < 4; ++j) {
         const Corners from = corners(tool, segment, j);
         turn<true>(from, 0, rows.corner[j][0] + at, rows.corner[j][1] + at, rows.corner[j][2] + at,
@@ -67,16 +67,16 @@ TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, 
 
 }  // namespace
 
-void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
-            Machine machine) {
+void gather(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
+            SimdWidth machine) {
     for (int c = 0; c < count; ++c)
         tool.prefetch_corners(segment_of(place[c]));
     gather_asked(rows, tool, place, first, count, growth, machine);
 }
 
-void gather_asked(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
-                  Machine machine) {
-    const auto gather_group = machine == Machine::two ? gather_one_by_one : gather_four;
+void gather_asked(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
+                  SimdWidth machine) {
+    const auto gather_group = machine == SimdWidth::two ? gather_one_by_one : gather_four;
     for (int c = 0; c < count; c += group) {
         Segments segment;
         const int at = first + c;

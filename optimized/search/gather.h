@@ -19,10 +19,10 @@ inline int piece_of(int place) {
 
 /// Fills corner, normal, code and size of `count` columns from `first` on, a multiple of four, and may fill those up to
 /// the next one. @param growth  of foreseen_size [length]
-void gather(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
-            Machine machine = this_machine());
+void gather(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
+            SimdWidth machine = this_machine());
 /// The same where Tool::prefetch_corners has been called for them.
-void gather_asked(LandingRows& rows, const Tool& tool, const int* place, int first, int count, double growth,
-                  Machine machine = this_machine());
+void gather_asked(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
+                  SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

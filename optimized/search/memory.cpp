@@ -60,8 +60,8 @@ Recalled::What Recalled::of(const Memory& memory, const V3& y, float small) {
 }
 
 void Recalled::find(const Memory* memory, const std::array<const double*, 3>& y, int count, float small,
-                    Machine machine) {
-    const int first = machine == Machine::two ? 0 : count / 4 * 4;
+                    SimdWidth machine) {
+    const int first = machine == SimdWidth::two ? 0 : count / 4 * 4;
     if (first > 0) recall_four(memory, y, count, small, *this);
     for (int j = first; j < count; ++j) {
         what[j] = of(memory[j], {y[0][j], y[1][j], y[2][j]}, small);

@@ -73,7 +73,7 @@ struct Recalled {
     /// @param y  rows of the components   @param small  steady balls that do not hold the node, smaller than this, say
     /// core [length]
     void find(const Memory* memory, const std::array<const double*, 3>& y, int count, float small,
-              Machine machine = this_machine());
+              SimdWidth machine = this_machine());
     static What of(const Memory& memory, const V3& y, float small);
 };
 

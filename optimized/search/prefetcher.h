@@ -13,12 +13,12 @@ namespace type21::optimized {
 /// Arrays with some bytes for each node. A line of memory takes as long to come as the work on several nodes, and few
 /// may be on their way at once: while eight nodes are worked on, those of eight others are asked for, a batch ahead.
 /// That changes no number. Inlined always: a compiler takes a function of hints alone for one that does nothing.
-class Ahead {
+class Prefetcher {
   public:
     static constexpr int group = 8, distance = 256;  ///< the latter is the room of a batch
 
     /// @param last  behind the last node
-    explicit Ahead(int last) : last_(last) {}
+    explicit Prefetcher(int last) : last_(last) {}
     template <class Number>
     void add(const std::vector<Number>& of) {
         if (!of.empty()) add(of.data(), sizeof(Number));

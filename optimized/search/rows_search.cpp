@@ -9,7 +9,7 @@ namespace type21::optimized {
 
 namespace {
 
-constexpr int most_segments = LandingRows::room / 4;  ///< around a node; with more it is asked alone
+constexpr int most_segments = ProjectionBatch::room / 4;  ///< around a node; with more it is asked alone
 
 struct Near {
     int segment;
@@ -39,7 +39,7 @@ double longest_lift(const SegmentData& segment, int piece) {
 
 }  // namespace
 
-double Search::ball(const LandingRows& rows, int i, Standing standing, double rate, double least,
+double Search::ball(const ProjectionBatch& rows, int i, Standing standing, double rate, double least,
                     double least_rate) const {
     if (standing == Standing::unknown) return 0;
     if (standing != Standing::taken) {
@@ -57,8 +57,8 @@ double Search::ball(const LandingRows& rows, int i, Standing standing, double ra
 
 /// Which of these foreseen columns has the least kappa in 100 bits, -1: that does not tell.
 int Search::least_fine_kappa(Batch& batch, const int* columns, int count) const {
-    LandingRows& told = batch.partners;
-    const LandingRows& rows = batch.others;
+    ProjectionBatch& told = batch.partners;
+    const ProjectionBatch& rows = batch.others;
     for (int j = 0; j < count; ++j) {
         const int c = columns[j];
         for (int a = 0; a < 3; ++a) {
@@ -70,7 +70,7 @@ int Search::least_fine_kappa(Batch& batch, const int* columns, int count) const 
         }
         told.code[j] = rows.code[c];
     }
-    fine_landing(told, count, batch.fine);
+    project_double_double(told, count, batch.fine);
     const auto kappa = [&](int j) { return TwoDoubles(batch.fine.high[j], batch.fine.low[j]); };
     int best = 0;
     for (int j = 1; j < count; ++j)
@@ -82,9 +82,9 @@ int Search::least_fine_kappa(Batch& batch, const int* columns, int count) const 
 }
 
 /// One of these is retained, all of which take the node: a tie, or what it takes.
-Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const {
+Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const ProjectionLimits& rules) const {
     const V3 y = batch.point(i);
-    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    const ContactReach window{batch.gap[i], batch.depth, batch.proximity};
     Contender* const contenders = batch.contenders;
     SegmentData* const segments = batch.segments;
     for (int j = 0; j < count; ++j) {
@@ -120,15 +120,15 @@ Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, 
 }
 
 /// The node whose candidates these are. @return false where that takes more than a plain projection
-bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const {
-    const LandingRows& rows = batch.others;
+bool Search::decide_candidates(Batch& batch, int first, int last, const ProjectionLimits& rules, bool remembers) const {
+    const ProjectionBatch& rows = batch.others;
     const int i = batch.candidates[first].column;
     const double wanted = remembers ? ball_wanted(batch.memory[i]) : 0;  // before the node remembers something else
     int best = -1;
     double least = HUGE_VAL, next = HUGE_VAL;
     double lands = HUGE_VAL;  ///< smallest kappa of those that may take it
     bool beyond = false;
-    Standing standings[LandingRows::room];
+    Standing standings[ProjectionBatch::room];
     for (int c = first; c < last; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
         const Standing stands = standings[c] = standing_in_rows(rows, c, batch.depth, one.place);
@@ -170,7 +170,7 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Rules& r
     if (!(lands - least > plain_share)) return false;
     if (!(next - least > plain_share)) {
         // Those that plain numbers do not tell apart; all others have lost.
-        int close[LandingRows::room], count = 0;
+        int close[ProjectionBatch::room], count = 0;
         for (int c = first; c < last; ++c)
             if (standings[c] == Standing::taken && !(kappa_of(rows.b[c], rows.c[c]) - least > plain_share))
                 close[count++] = c;
@@ -203,7 +203,7 @@ double Search::ball_wanted(const Memory& memory) const {
     return std::clamp(-8 * double(memory.radius), small_ball_, usual_ball_);
 }
 
-double Search::holding_ball(const LandingRows& rows, int i, double depth, int place) const {
+double Search::holding_ball(const ProjectionBatch& rows, int i, double depth, int place) const {
     const double own = rate(place), size = rows.size[i], rounding = 3 * foreseen_share * size;
     if (!(own < no_rate)) return 0;
     const double in_weights = (std::min(rows.least_landed(i), rows.innermost(i) - weight_limit) - plain_share) / own;
@@ -213,18 +213,18 @@ double Search::holding_ball(const LandingRows& rows, int i, double depth, int pl
     return std::min(std::min(in_weights, reach_of(own)), std::min(height, in_reach) * (1 - 1e-9) - rounding);
 }
 
-void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers) const {
+void Search::decide_candidates(Batch& batch, const ProjectionLimits& rules, bool remembers) const {
     const int count = batch.candidate_count;
     batch.candidate_count = 0;
     if (count == 0) return;
-    int place[LandingRows::room] = {};
+    int place[ProjectionBatch::room] = {};
     for (int c = 0; c < count; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
         place[c] = one.place;
         ask_at(batch.others, c, one.place, batch.point(one.column), batch.gap[one.column]);
     }
     gather(batch.others, tool_, place, 0, count, growth_);
-    plain_landing(batch.others, 0, count, landing_limits(batch.depth, batch.proximity));
+    project_double(batch.others, 0, count, landing_limits(batch.depth, batch.proximity));
     for (int first = 0; first < count;) {
         const int i = batch.candidates[first].column;
         int last = first + 1;
@@ -235,15 +235,15 @@ void Search::decide_candidates(Batch& batch, const Rules& rules, bool remembers)
     }
 }
 
-void Search::ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const {
+void Search::ask_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const {
     const V3 y = batch.point(i);
-    const Window window{batch.gap[i], batch.depth, batch.proximity};
+    const ContactReach window{batch.gap[i], batch.depth, batch.proximity};
     put(batch, i, remembers ? find(y, window, rules, batch.memory[i]) : Found{search(y, window, rules)});
 }
 
-void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const {
+void Search::ask_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules, bool remembers) const {
     // D34 asks for boxes, D35 lifts what leans, D11 lets contact and proximity compete: one node after the other.
-    const bool plain = !reach_box_.on && !limits_.lift_leaning && !(rules.one_race && batch.proximity > 0);
+    const bool plain = !reach_box_.on && !limits_.lift_leaning && !(rules.proximity_competes && batch.proximity > 0);
     for (int j = 0; j < count; ++j) {
         const int i = open[j];
         const V3 y = batch.point(i);
@@ -271,7 +271,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
         int columns = 0;
         for (int s = 0; s < segments; ++s)
             columns += tool_.is_triangle(near[s].segment) ? 1 : 4;
-        if (batch.candidate_count + columns > LandingRows::room) decide_candidates(batch, rules, remembers);
+        if (batch.candidate_count + columns > ProjectionBatch::room) decide_candidates(batch, rules, remembers);
         for (int s = 0; s < segments; ++s) {
             const int pieces = tool_.is_triangle(near[s].segment) ? 1 : 4;
             for (int k = 1; k <= pieces; ++k) {
@@ -282,7 +282,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Rules& rul
     decide_candidates(batch, rules, remembers);
 }
 
-void Search::search(Batch& batch, const Rules& rules) const {
+void Search::search(Batch& batch, const ProjectionLimits& rules) const {
     int all[Batch::room];
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};

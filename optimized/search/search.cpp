@@ -14,7 +14,7 @@ constexpr float unknown = -1;
 }  // namespace
 
 // The box is a rule of its own, in double, with the operations and their order that the departure names.
-bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const Window& window) const {
+bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const ContactReach& window) const {
     if (!on) return true;
     const double reach = std::max(window.gap, proximity);
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -50,7 +50,7 @@ Search::Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach
     small_ball_ = usual_ball_ / 16;
     tree_ = BoxTree(boxes);
     shift_ = tool.triangles_only() ? 2 : 0;
-    PieceBounds bounds = piece_bounds(tool, growth_);
+    LipschitzBounds bounds = lipschitz_bounds(tool, growth_);
     kappa_bits_ = std::move(bounds.kappa_bits);
     margins_ = std::vector<Margins>(bounds.rate.size() >> shift_);
     for (size_t i = 0; i < margins_.size(); ++i) {
@@ -64,7 +64,8 @@ size_t Search::bytes() const {
            leads_.capacity() * sizeof(leads_[0]) + kappa_bits_.capacity();
 }
 
-Retained Search::search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes) const {
+Retained Search::search(const V3& y, const ContactReach& window, const ProjectionLimits& rules,
+                        bool reach_boxes) const {
     Decider decider(y, window, rules);
     tree_.at(y, [&](int s) {
         const SegmentData segment = tool_.segment(s);
@@ -74,7 +75,8 @@ Retained Search::search(const V3& y, const Window& window, const Rules& rules, b
     return decider.retained([&](int s) { return tool_.segment(s); });
 }
 
-Search::Found Search::find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const {
+Search::Found Search::find(const V3& y, const ContactReach& window, const ProjectionLimits& rules,
+                           Memory& memory) const {
     Found found;
     if (memory.quiet_at(y)) {
         found.path = Path::quiet;
@@ -86,7 +88,8 @@ Search::Found Search::find(const V3& y, const Window& window, const Rules& rules
 }
 
 /// The tree, and what the node may remember of it.
-void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {
+void Search::ask_all(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
+                     Found& found) const {
     found.path = Path::searched;
     found.retained = search(y, window, rules);
     memory.forget();
@@ -100,13 +103,13 @@ void Search::ask_all(const V3& y, const Window& window, const Rules& rules, Memo
 
 /// Where a plain projection is known to do, its numbers are those of the impact, whatever settled the decision: or
 /// history would show in a last bit.
-void Search::use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const {
+void Search::use_plain_magnitudes(const V3& y, const ContactReach& window, Retained& retained) const {
     if (reach_box_.on || retained.segment < 0 || retained.settled == Settled::filter) return;
     const int place = place_of(retained.segment, retained.piece);
-    LandingRows rows;
+    ProjectionBatch rows;
     land_one(y, window, place, rows);
     if (standing_in_rows(rows, 0, window.depth, place) != Standing::taken) return;
-    Landing& landing = retained.landing;
+    ProjectionResult& landing = retained.landing;
     landing.b = rows.b[0];
     landing.c = rows.c[0];
     landing.lift = rows.lift[0];
@@ -117,12 +120,13 @@ void Search::keep_quiet(const V3& y, Memory& memory) const {
     memory.keep_quiet(y, clearance(y));
 }
 
-bool Search::certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const {
+bool Search::certified(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
+                       Found& found) const {
     const int rank = segment_of(memory.place), piece = piece_of(memory.place);
     const SegmentData segment = tool_.segment(rank);
     const FilterResult result = filter(y, segment, local_segment(segment), piece, window, rules);
     if (result.verdict != Verdict::taken && result.verdict != Verdict::beyond) return false;
-    const Landing& landing = result.landing;
+    const ProjectionResult& landing = result.landing;
     float margin = core(memory.place);
     if (margin >= beyond_foreseen) margin -= beyond_foreseen;
     if (!(landing.innermost >= double(margin))) return false;

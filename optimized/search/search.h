@@ -29,10 +29,10 @@ enum class Path {
 };
 
 /// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches: where
-/// balls hold for long, or sub-triangles are many and few nodes pass each, searching is cheaper. Judged by the mean of
-/// about the last eight cycles, of all nodes, so that no thread's pace has a part in it; once they pay they are asked
-/// for ever after.
-class AskedAgain {
+/// balls hold for long, or sub-triangles are many and few nodes pass each, searching is cheaper. ImpactEnclosure by the
+/// mean of about the last eight cycles, of all nodes, so that no thread's pace has a part in it; once they pay they are
+/// asked for ever after.
+class ExclusiveRegionPolicy {
   public:
     void add(const PathTally& cycle, long nodes, long places) {
         const double now =
@@ -53,7 +53,7 @@ struct ReachBoxRule {
     bool on = false;
     Mat3 axes = Mat3::Identity();
     double proximity = 0;  ///< [length]
-    bool holds(const V3& y, const SegmentData& segment, const Window& window) const;
+    bool holds(const V3& y, const SegmentData& segment, const ContactReach& window) const;
 };
 
 /// Answers for one tool and one set of limits. Any number of threads may ask at once.
@@ -101,22 +101,22 @@ class Search {
     /// Nodes and what is found of them, a row a number: many, so that what few of them ask for fills registers. They
     /// are worked on in parts, which the nearest cache holds.
     struct Batch {
-        static constexpr int room = 256, part = LandingRows::room;
+        static constexpr int room = 256, part = ProjectionBatch::room;
         using Row = double[room + 8];  ///< of rows that are a power of two apart, few fit into a cache
 
         int count = 0;
-        double depth = 0, proximity = 0;  ///< of all [length]
-        bool cores = true;                ///< ask them; else for nodes with small balls only
-        const Ahead* ahead = nullptr;     ///< what else is asked of nodes
-        int first = 0;                    ///< rank of its first node, for that
-        Memory* memory = nullptr;         ///< of the nodes, one after the other
-        bool asked[room];                 ///< else nothing is found
+        double depth = 0, proximity = 0;    ///< of all [length]
+        bool cores = true;                  ///< ask them; else for nodes with small balls only
+        const Prefetcher* ahead = nullptr;  ///< what else is asked of nodes
+        int first = 0;                      ///< rank of its first node, for that
+        Memory* memory = nullptr;           ///< of the nodes, one after the other
+        bool asked[room];                   ///< else nothing is found
 
         alignas(64) Row y[3];  ///< in the tool frame [length]
         alignas(64) Row gap;   ///< that decides contact [length]
 
         int place[room];                         ///< retained, -1: none; then the rest is not filled
-        alignas(64) Row b, c, lift, n[3], x[3];  ///< as in LandingRows
+        alignas(64) Row b, c, lift, n[3], x[3];  ///< as in ProjectionBatch
         Kind kind[room];
         signed char side[room];
         Settled settled[room];
@@ -137,7 +137,7 @@ class Search {
             int column, place;  ///< node, and what may take it
             double apart;       ///< of the node from the box of its segment, at least [length]
         };
-        LandingRows rows, others, partners;
+        ProjectionBatch rows, others, partners;
         FineKappaRows fine;
         Pair pairs[part], close[room];
         Candidate candidates[part];
@@ -148,22 +148,23 @@ class Search {
         SegmentData segments[most_close];
     };
     /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
-    Found find(const V3& y, const Window& window, const Rules& rules, Memory& memory) const;
+    Found find(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory) const;
     /// Asks for up to Batch::room nodes at once; the answers are those of find.
-    void find(Batch& batch, const Rules& rules) const { decide(batch, rules, true); }
+    void find(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, true); }
     /// The same, but without numbers for nodes that are held: of these b, c, lift, n, x are not filled. Gaps and depth
     /// must be no smaller than in the calls before.
-    void select(Batch& batch, const Rules& rules) const { decide(batch, rules, false); }
+    void select(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, false); }
     struct Asked {
         V3 y;
-        Window window;
+        ContactReach window;
         Memory* memory = nullptr;  ///< nullptr: nothing is remembered
     };
-    void find(const Asked* asked, int count, const Rules& rules, Found* found) const;
+    void find(const Asked* asked, int count, const ProjectionLimits& rules, Found* found) const;
     /// The same of all nodes of a batch, without what they remember: the memory is taken away from them.
-    void search(Batch& batch, const Rules& rules) const;
+    void search(Batch& batch, const ProjectionLimits& rules) const;
     /// The same of one node.
-    Retained search(const V3& y, const Window& window, const Rules& rules, bool reach_boxes = true) const;
+    Retained search(const V3& y, const ContactReach& window, const ProjectionLimits& rules,
+                    bool reach_boxes = true) const;
 
     const Limits& limits() const { return limits_; }
     /// Sub-triangles, those of triangles in a mixed tool four times.
@@ -171,7 +172,7 @@ class Search {
     size_t bytes() const;
 
   private:
-    void decide(Batch& batch, const Rules& rules, bool projects) const;
+    void decide(Batch& batch, const ProjectionLimits& rules, bool projects) const;
     /// What is known of one sub-triangle.
     struct Margins {
         std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
@@ -181,16 +182,17 @@ class Search {
     /// Of a tool of triangles those of segments stand side by side.
     Margins& margins(int place) const { return margins_[static_cast<size_t>(place) >> shift_]; }
     /// Certified by T's core: found is filled, and true is returned.
-    bool certified(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
+    bool certified(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
+                   Found& found) const;
     float core(int place) const {
         const float margin = margins(place).alone.load(std::memory_order_acquire);
         return margin >= 0 ? margin : new_core(place);
     }
     float new_core(int place) const;
     float rate(int place) const { return margins(place).rate; }
-    bool foreseen(int place) const { return std::isfinite(rate(place)); }
+    bool a_priori_bounded(int place) const { return std::isfinite(rate(place)); }
     /// Known to be one whose projections have to be filtered.
-    bool filtered(const Memory& memory) const { return memory.place >= 0 && !foreseen(memory.place); }
+    bool filtered(const Memory& memory) const { return memory.place >= 0 && !a_priori_bounded(memory.place); }
     /// How far the rate itself holds [length]
     static double reach_of(double rate) { return rate < no_rate ? rate_reach / rate : 0.0; }
     void find_cores(int segment) const;
@@ -199,7 +201,8 @@ class Search {
     int vertex_at(int place, int i) const;
     bool has_corner(int place, int vertex) const;
     bool first_at(int place, int i, std::span<const int> segments) const;
-    void ask_all(const V3& y, const Window& window, const Rules& rules, Memory& memory, Found& found) const;
+    void ask_all(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
+                 Found& found) const;
     void keep_quiet(const V3& y, Memory& memory) const;
     void keep_quiet(const Batch& batch, int i, double radius) const;
     /// No larger one is looked for: near a side balls are small, and what is far from there need not be asked.
@@ -207,17 +210,18 @@ class Search {
     /// Node i, steady in its place, in this column of the rows.
     void keep_held(Batch& batch, int i, int column) const;
     /// Within this of the node the place takes it as contact, on the same side; <= 0: not known.
-    double holding_ball(const LandingRows& rows, int column, double depth, int place) const;
-    void ask_alone(Batch& batch, int i, const Rules& rules, bool remembers) const;
+    double holding_ball(const ProjectionBatch& rows, int column, double depth, int place) const;
+    void ask_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const;
     LandingLimits landing_limits(double depth, double proximity) const;
-    static void stand_at(LandingRows& rows, int column, const V3& y, double gap);
+    static void stand_at(ProjectionBatch& rows, int column, const V3& y, double gap);
     /// Where a node is, and whether the place is foreseen.
-    void ask_at(LandingRows& rows, int column, int place, const V3& y, double gap) const;
-    void land_one(const V3& y, const Window& window, int place, LandingRows& rows) const;
-    void use_plain_magnitudes(const V3& y, const Window& window, Retained& retained) const;
+    void ask_at(ProjectionBatch& rows, int column, int place, const V3& y, double gap) const;
+    void land_one(const V3& y, const ContactReach& window, int place, ProjectionBatch& rows) const;
+    void use_plain_magnitudes(const V3& y, const ContactReach& window, Retained& retained) const;
     /// Nodes of the part that begins at `first` where they were last. @param last  place for each node of the part; -1:
     /// it does not look   @param open  filled with those that are left   @return how many are left
-    int look_again(Batch& batch, int first, const int* last, const Rules& rules, int* open, bool projects) const;
+    int look_again(Batch& batch, int first, const int* last, const ProjectionLimits& rules, int* open,
+                   bool projects) const;
     /// All of a part, each in the column of its number.
     void land_in_place(Batch& batch, int first, int count, const int* last) const;
     /// These of a part, one column after the other.
@@ -225,7 +229,7 @@ class Search {
     /// With what weights a place decides alone.
     double least_weight(const Batch& batch, int i, int place) const;
     /// The impact of node i from this column.
-    static void fill(Batch& batch, int i, const LandingRows& rows, int column);
+    static void fill(Batch& batch, int i, const ProjectionBatch& rows, int column);
     /// The numbers of node i into this column of the rows, which hold the others of its projection.
     static void complete(Batch& batch, int i, int column);
     /// What nodes remember: those that are quiet are, and others have a place to look. @param last, open  likewise
@@ -237,9 +241,9 @@ class Search {
     /// Is node i, in this column of the rows, one of a pair? Then it is put among them.
     bool pair_up(Batch& batch, int i, int column) const;
     /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
-    void decide_pairs(Batch& batch, const Rules& rules) const;
+    void decide_pairs(Batch& batch, const ProjectionLimits& rules) const;
     /// 100 bits for them.
-    void decide_close(Batch& batch, const Rules& rules) const;
+    void decide_close(Batch& batch, const ProjectionLimits& rules) const;
     /// Does a sub-triangle take a node as contact? Known only where the bounds are foreseen, and away from every limit
     /// by more than the filter needs.
     enum class Standing {
@@ -249,26 +253,26 @@ class Search {
         beyond,   ///< it would if it were nearer
         rejected  ///< not here, however near
     };
-    Standing standing(const LandingRows& rows, int column, double depth, int place) const;
+    Standing standing(const ProjectionBatch& rows, int column, double depth, int place) const;
     /// The same for a place that ask_at put there, which mostly the rows tell.
-    Standing standing_in_rows(const LandingRows& rows, int column, double depth, int place) const;
-    double clipped_distance(const LandingRows& rows, int column, int place) const;
+    Standing standing_in_rows(const ProjectionBatch& rows, int column, double depth, int place) const;
+    double clipped_distance(const ProjectionBatch& rows, int column, int place) const;
     /// Within this of the node the sub-triangle, whose rate is given, cannot take it, or only with a larger kappa than
     /// `least`, whose rate is `least_rate`; <= 0: not known.
-    double ball(const LandingRows& rows, int column, Standing standing, double rate, double least,
+    double ball(const ProjectionBatch& rows, int column, Standing standing, double rate, double least,
                 double least_rate) const;
     /// Asks all that may take the nodes side by side; those that are left are asked one after the other.
     /// @param remembers  balls are wanted
-    void ask_rows(Batch& batch, const int* open, int count, const Rules& rules, bool remembers) const;
+    void ask_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules, bool remembers) const;
     /// Lands what candidates there are, and decides the nodes whose candidates are there.
-    void decide_candidates(Batch& batch, const Rules& rules, bool remembers) const;
-    bool decide_candidates(Batch& batch, int first, int last, const Rules& rules, bool remembers) const;
+    void decide_candidates(Batch& batch, const ProjectionLimits& rules, bool remembers) const;
+    bool decide_candidates(Batch& batch, int first, int last, const ProjectionLimits& rules, bool remembers) const;
     int least_fine_kappa(Batch& batch, const int* columns, int count) const;
-    /// What kappa of fine_landing may be off by on this place, which is foreseen.
+    /// What kappa of project_double_double may be off by on this place, which is foreseen.
     double fine_bound(int place) const;
-    Retained tell_apart(Batch& batch, int i, const int* columns, int count, const Rules& rules) const;
-    Found decide_pair(const Batch& batch, const Batch::Pair& pair, const Rules& rules) const;
-    void take(Batch& batch, int i, int place, const LandingRows& rows, int column) const;
+    Retained tell_apart(Batch& batch, int i, const int* columns, int count, const ProjectionLimits& rules) const;
+    Found decide_pair(const Batch& batch, const Batch::Pair& pair, const ProjectionLimits& rules) const;
+    void take(Batch& batch, int i, int place, const ProjectionBatch& rows, int column) const;
     void put(Batch& batch, int i, const Found& found) const;
     double clearance(const V3& y) const;
 
@@ -282,7 +286,7 @@ class Search {
     double small_ball_;                     ///< nodes with smaller ones ask for cores and pairs [length]
     int shift_ = 0;                         ///< 2 where there are triangles only, and one place for a segment
     mutable std::vector<Margins> margins_;  ///< of places; alone < 0: not known yet
-    std::vector<std::uint8_t> kappa_bits_;  ///< @see PieceBounds
+    std::vector<std::uint8_t> kappa_bits_;  ///< @see LipschitzBounds
     /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.
     mutable std::vector<std::atomic<int>> over_;

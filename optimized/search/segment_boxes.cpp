@@ -146,7 +146,7 @@ void boxes_two(SegmentRows& rows, const Limits& limits, bool triangles) {
 
 }  // namespace
 
-std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, Machine machine) {
+std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, SimdWidth machine) {
     std::vector<Box> boxes(static_cast<size_t>(tool.size()));
     const auto compute = compiled_for(machine, boxes_eight, boxes_four, boxes_two);
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {

@@ -10,6 +10,6 @@ namespace type21::optimized {
 
 /// A box for each segment that holds the prisms of its sub-triangles (Prism::box, but for rounding far below its
 /// slack).
-std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, Machine machine = this_machine());
+std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

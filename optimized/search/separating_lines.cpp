@@ -37,8 +37,8 @@ double positive_along(const Corners& at, size_t i, double below) {
 
 }  // namespace
 
-OuterLines outer_lines(const Prism& p) {
-    OuterLines lines;
+SeparatingLines outer_lines(const CaptureVolume& p) {
+    SeparatingLines lines;
     lines.slack = p.slack;
     const auto put = [&](const V3& direction, double bound) {
         lines.line[static_cast<size_t>(lines.count++)] = {direction, bound};
@@ -70,7 +70,8 @@ OuterLines outer_lines(const Prism& p) {
     return lines;
 }
 
-PieceMargins::PieceMargins(const Prism& own) : grown_(own.grown), below_(own.margin), slack_(own.slack) {
+ExclusiveMargins::ExclusiveMargins(const CaptureVolume& own)
+    : grown_(own.grown), below_(own.margin), slack_(own.slack) {
     if (grown_) margin_ = {1, 1, 1, 1};
     for (size_t c = 0; c < 3; ++c) {
         corner_[0][c] = own.corner[c] + own.rise[c] * own.low;
@@ -80,18 +81,18 @@ PieceMargins::PieceMargins(const Prism& own) : grown_(own.grown), below_(own.mar
 }
 
 /// A line may be longer than a unit vector; the slack of a point is, too.
-double PieceMargins::bound_of(const OuterLines::Line& line) const {
+double ExclusiveMargins::bound_of(const SeparatingLines::Line& line) const {
     return line.bound + slack_ * (std::abs(line.direction.x) + std::abs(line.direction.y) + std::abs(line.direction.z));
 }
 
-void PieceMargins::keep_from(const OuterLines& other, int side) {
+void ExclusiveMargins::keep_from(const SeparatingLines& other, int side) {
     if (grown_) return;
     std::array<double, 4> least{1, 1, 1, 1};
     if (side >= 0) least[static_cast<size_t>(side)] = 0;
     // The line that is farthest from the middle of this one first: mostly no other is asked for.
     std::array<double, 6> apart;
     for (int l = 0; l < other.count; ++l) {
-        const OuterLines::Line& line = other.line[static_cast<size_t>(l)];
+        const SeparatingLines::Line& line = other.line[static_cast<size_t>(l)];
         apart[static_cast<size_t>(l)] = dot(line.direction, middle_) - line.bound;
     }
     for (int asked = 0; asked < other.count; ++asked) {
@@ -99,7 +100,7 @@ void PieceMargins::keep_from(const OuterLines& other, int side) {
             static_cast<size_t>(std::max_element(apart.begin(), apart.begin() + other.count) - apart.begin());
         if (!(apart[l] > 0)) break;  // it holds the middle: no margin is enough
         apart[l] = -1;
-        const OuterLines::Line& line = other.line[l];
+        const SeparatingLines::Line& line = other.line[l];
         const double bound = bound_of(line);
         std::array<Corners, 2> at;
         double lowest = HUGE_VAL;
@@ -125,12 +126,12 @@ void PieceMargins::keep_from(const OuterLines& other, int side) {
         margin_[q] = std::max(margin_[q], least[q]);
 }
 
-bool PieceMargins::apart_at(const OuterLines& other, int corner) const {
+bool ExclusiveMargins::apart_at(const SeparatingLines& other, int corner) const {
     if (grown_) return false;
     const auto i = static_cast<size_t>(corner);
     const double rest = 1 - lead_weight + below_;
     for (int l = 0; l < other.count; ++l) {
-        const OuterLines::Line& line = other.line[static_cast<size_t>(l)];
+        const SeparatingLines::Line& line = other.line[static_cast<size_t>(l)];
         const double bound = bound_of(line);
         double lowest = HUGE_VAL;
         for (size_t h = 0; h < 2; ++h) {

@@ -13,7 +13,7 @@ constexpr double lead_weight = 0.98;
 /// Six lines at most, line = (direction, bound): a point x with <direction, x> > bound for any one of them is not
 /// taken by the sub-triangle. @see Prism; where the three bounds of a side differ, the line lies outside of all of them
 /// between the lowest and the greatest height.
-struct OuterLines {
+struct SeparatingLines {
     struct Line {
         V3 direction;
         double bound;
@@ -22,23 +22,23 @@ struct OuterLines {
     int count = 0;
     double slack = 0;  ///< of the prism [length]
 };
-OuterLines outer_lines(const Prism& prism);
+SeparatingLines outer_lines(const CaptureVolume& prism);
 
 /// The margins m of a sub-triangle T: points that T takes with large enough weights are taken by no other.
-class PieceMargins {
+class ExclusiveMargins {
   public:
-    explicit PieceMargins(const Prism& own);
+    explicit ExclusiveMargins(const CaptureVolume& own);
     /// @param side  T' lies over the side opposite to this weight (0, 1, 2), -1: it does not
-    void keep_from(const OuterLines& other, int side);
+    void keep_from(const SeparatingLines& other, int side);
     /// Does the other take no point that this one takes with weight `corner` >= lead_weight?
-    bool apart_at(const OuterLines& other, int corner) const;
+    bool apart_at(const SeparatingLines& other, int corner) const;
     /// Points with all weights >= this are taken by T alone; 1: none.
     double alone() const { return margin_[3]; }
     /// Likewise points with both weights of a side >= this, by T and the one over that side; 1: none.
     double pair() const { return std::max(margin_[0], std::max(margin_[1], margin_[2])); }
 
   private:
-    double bound_of(const OuterLines::Line& line) const;
+    double bound_of(const SeparatingLines::Line& line) const;
 
     bool grown_;
     double below_;  ///< how far below 0 a weight may go

@@ -12,7 +12,7 @@
 namespace type21::optimized {
 
 /// The main surface with y = x - x_G at time 0 (formulation section 1). It never deforms.
-/// @page field surf_IDm, IDrby
+/// @manual field surf_IDm, IDrby
 class Tool {
   public:
     Tool(const ContactModel& model, const Interface& interface);

@@ -52,7 +52,8 @@ struct Piece {
 /// filter() calls second order, and for the rounding of the bounds themselves.
 /// Conditions are counted: GCC takes apart what joins several comparisons.
 template <class L>
-TYPE21_INLINE void foreseen(const Piece<L>& t, const L& extent, const L& nm, double growth, L& met, L& kappa_bound) {
+TYPE21_INLINE void a_priori_bounded(const Piece<L>& t, const L& extent, const L& nm, double growth, L& met,
+                                    L& kappa_bound) {
     constexpr double e = 0x1p-53, more = 1.05, ordinary = 1e30;
     const L zero = extent - extent, one = zero + 1.0;
     const L s = extent + 1.5 * growth;
@@ -183,7 +184,7 @@ TYPE21_INLINE void rates_in(Rows& rows, int at, double growth) {
         least_of(t.slope[i], t.least_slope);
         most_of(other, t.most_slope);
     }
-    foreseen(t, extent, normal_size, growth, met, kappa_bound);
+    a_priori_bounded(t, extent, normal_size, growth, met, kappa_bound);
     rate_of(t, extent, growth, rate);
     const L zero = extent - extent;
     store(met == all_foreseen ? rate : zero + HUGE_VAL, rows.rate + at);
@@ -222,8 +223,8 @@ void put(Rows& rows, int column, const SegmentData& segment, const LocalSegment&
 
 }  // namespace
 
-PieceBounds piece_bounds(const Tool& tool, double growth, Machine machine) {
-    PieceBounds bounds;
+LipschitzBounds lipschitz_bounds(const Tool& tool, double growth, SimdWidth machine) {
+    LipschitzBounds bounds;
     bounds.rate.assign(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
     bounds.kappa_bits.assign(static_cast<size_t>(tool.size()), 255);
     const auto compute = compiled_for(machine, rates_eight, rates_four, rates_two);

@@ -32,15 +32,15 @@ constexpr double rate_reach = 0.2;
 /// well conditioned where the plane is trusted and no normal leans far, as in prism(); 1e-5 is added for its rounding.
 ///
 /// Infinite where the sub-triangle is not foreseen (foreseen_bounds.h).
-struct PieceBounds {
+struct LipschitzBounds {
     std::vector<float> rate;  ///< four for a segment, rounded up [1/length]
     /// For a segment: kappa of a plain projection on a foreseen piece of it is off by at most 2^-kappa_bits, for the
     /// nodes that are meant in foreseen_bounds.h.
     std::vector<std::uint8_t> kappa_bits;
-    friend bool operator==(const PieceBounds&, const PieceBounds&) = default;
+    friend bool operator==(const LipschitzBounds&, const LipschitzBounds&) = default;
 };
 /// @param growth  max(outward, inward) [length]
-PieceBounds piece_bounds(const Tool& tool, double growth, Machine machine = this_machine());
+LipschitzBounds lipschitz_bounds(const Tool& tool, double growth, SimdWidth machine = this_machine());
 
 constexpr double no_rate = 1e30;
 

@@ -8,43 +8,43 @@ namespace type21::optimized {
 namespace {
 
 #if defined(__GNUC__) && defined(__x86_64__)
-Machine widest() {
-    if (__builtin_cpu_supports("avx512f")) return Machine::eight;
-    return __builtin_cpu_supports("avx2") ? Machine::four : Machine::two;
+SimdWidth widest() {
+    if (__builtin_cpu_supports("avx512f")) return SimdWidth::eight;
+    return __builtin_cpu_supports("avx2") ? SimdWidth::four : SimdWidth::two;
 }
 bool fused() {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 #else
-Machine widest() {
-    return Machine::two;
+SimdWidth widest() {
+    return SimdWidth::two;
 }
 bool fused() {
     return false;
 }
 #endif
 
-std::atomic<Machine>& used() {
-    static std::atomic<Machine> machine{widest()};
+std::atomic<SimdWidth>& used() {
+    static std::atomic<SimdWidth> machine{widest()};
     return machine;
 }
 
 }  // namespace
 
-Machine this_machine() {
+SimdWidth this_machine() {
     return used().load(std::memory_order_relaxed);
 }
 
 bool has_fma() {
     static const bool found = fused();
-    return found && this_machine() != Machine::two;
+    return found && this_machine() != SimdWidth::two;
 }
 
-Narrowed::Narrowed(Machine machine) {
+SimdWidthCap::SimdWidthCap(SimdWidth machine) {
     used() = std::min(machine, widest());
 }
 
-Narrowed::~Narrowed() {
+SimdWidthCap::~SimdWidthCap() {
     used() = widest();
 }
 

@@ -16,26 +16,26 @@ namespace type21::optimized {
 
 /// How many doubles a register holds. Loops for each machine are one template, compiled with 2, 4 or 8 lanes; every
 /// operation is that of one double and nothing is contracted: each gives the same bits.
-enum class Machine { two = 2, four = 4, eight = 8 };
+enum class SimdWidth { two = 2, four = 4, eight = 8 };
 
-/// The widest that this processor has; while a Narrowed lives, that.
-Machine this_machine();
+/// The widest that this processor has; while a SimdWidthCap lives, that.
+SimdWidth this_machine();
 /// Has it a fused multiply-add? Used for exact products only, which are the same with and without it.
 bool has_fma();
 
 /// Of one loop that was compiled for each machine, that for this one.
 template <class Function>
-Function* compiled_for(Machine machine, Function* eight, Function* four, Function* two) {
-    return machine == Machine::eight ? eight : (machine == Machine::four ? four : two);
+Function* compiled_for(SimdWidth machine, Function* eight, Function* four, Function* two) {
+    return machine == SimdWidth::eight ? eight : (machine == SimdWidth::four ? four : two);
 }
 
 /// Registers no wider than these, so that one processor can show what others compute. Not while others compute.
-class Narrowed {
+class SimdWidthCap {
   public:
-    explicit Narrowed(Machine machine);
-    ~Narrowed();
-    Narrowed(const Narrowed&) = delete;
-    Narrowed& operator=(const Narrowed&) = delete;
+    explicit SimdWidthCap(SimdWidth machine);
+    ~SimdWidthCap();
+    SimdWidthCap(const SimdWidthCap&) = delete;
+    SimdWidthCap& operator=(const SimdWidthCap&) = delete;
 };
 
 }  // namespace type21::optimized

@@ -20,7 +20,7 @@ SegmentCurvature segment_curvature(const SegmentShape<double>& segment);
 
 /// Iadm 1: radius < longest edge.  Iadm 2: radius < NRadm x longest edge, or the angle between normals is larger than
 /// Angladm and the penetration, as a share of the gap, larger than Padm.  D37: sqrt(2) times that radius.
-/// @page field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
+/// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 bool divides(const Interface& interface, const AdaptiveElement& element, const AsBuilt& as_built);
 
 /// The room of Iadm: curvature of each main segment. Present only when the card asks for it.

@@ -18,7 +18,7 @@ ContactGeometry contact_geometry(const SubTriangle<double>& triangle, const Proj
 
 /// D12: the direction of h = P - X itself, signed by the normal interpolated at (b, c); noise close to the surface,
 /// zero on it. Formed, as measured, with the corners brought to global axes: `triangle` and p are global here.
-/// @page departure D12
+/// @manual departure D12
 ContactGeometry contact_geometry_as_built(const Vec3& p, const SubTriangle<double>& triangle,
                                           const Barycentric<double>& weights);
 

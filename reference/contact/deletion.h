@@ -10,7 +10,7 @@
 namespace type21::reference {
 
 /// The room of Idel: the shells at each secondary node. A shell of thickness 0 in the history is a deleted one.
-/// @page field Idel
+/// @manual field Idel
 class Deletion {
   public:
     Deletion(const ContactModel& model, const Interface& interface)

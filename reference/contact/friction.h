@@ -10,7 +10,7 @@
 namespace type21::reference {
 
 /// What friction needs to know of a node in contact.
-/// @page eq 7, 8; field fct_IDF, AscaleF; comment 12; departure D08
+/// @manual eq 7, 8; field fct_IDF, AscaleF; comment 12; departure D08
 struct FrictionInput {
     double normal_force = 0;                               ///< F_n, damping included, may be negative [force]
     double stiffness = 0;                                  ///< k of the increment [force/length]

@@ -13,7 +13,7 @@ namespace type21::reference {
 /// D28: with /FRICTION alpha stays that of the card (1 if blank); the flag of /FRICTION only decides whether the step
 /// enters.
 /// @param step  dt1 of the friction increment [time]
-/// @page eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07, D28
+/// @manual eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07, D28
 double filter_constant(const Interface& interface, double step, const AsBuilt& as_built);
 
 }  // namespace type21::reference

@@ -19,7 +19,7 @@ struct FrictionForce {
 /// @param step       dt1 [time]
 /// @param normal     nu [-]
 /// @param limit      the smaller of mu |F_n| and what Pmax allows [force]
-/// @page eq 12; comment 14
+/// @manual eq 12; comment 14
 inline FrictionForce friction_force(const Vec3& old, double stiffness, const Vec3& velocity, double step,
                                     const Vec3& normal, double limit) {
     Vec3 trial = old + velocity * (stiffness * step);
@@ -32,7 +32,7 @@ inline FrictionForce friction_force(const Vec3& old, double stiffness, const Vec
 /// Energy that slip dissipates in this cycle: q = <T - F_t, F_t> / k, equation (19) without its factor Fheat.
 /// @param stiffness  k of the increment [force/length], 0: no increment, no slip
 /// @return [energy]
-/// @page eq 19; field Fheat; comment 18
+/// @manual eq 19; field Fheat; comment 18
 inline double slip_energy(const FrictionForce& friction, double stiffness) {
     return stiffness > 0 ? (friction.trial - friction.force).dot(friction.force) / stiffness : 0.0;
 }

@@ -21,14 +21,14 @@ namespace type21::reference {
 /// @param pressure  F_n / A, damping included, negative where the damping pulls [pressure]
 /// @param speed     s = |v - v_n nu|, >= 0 [velocity]
 /// @return mu [-]
-/// @page eq 9, 10, 11; field Ifric, Fric, C1, C2, C3, C4, C5, C6; comment 12, 13; departure D10
+/// @manual eq 9, 10, 11; field Ifric, Fric, C1, C2, C3, C4, C5, C6; comment 12, 13; departure D10
 double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed,
                             const AsBuilt& as_built);
 
 /// Coefficients of the card, or of the /FRICTION that replaces it: of the listed pair of parts, or else its default.
 /// @param part_secondary  index into Model::parts of the node's part, -1: none
 /// @param part_main       of the main segment's part, -1: none
-/// @page field fric_ID
+/// @manual field fric_ID
 FrictionCoefficients friction_coefficients(const ContactModel& model, const Interface& interface, int part_secondary,
                                            int part_main);
 

@@ -19,7 +19,7 @@ struct NodalGap {
 /// @param initial    t_c, or t0 where there is none [length]
 /// @param clipped0   g0, the gap at time 0 [length]
 /// @param change     t_n - t0 [length]
-/// @page eq 2, 4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D30
+/// @manual eq 2, 4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D30
 NodalGap grown_gap(const Interface& interface, double initial, double clipped0, double change, const AsBuilt& as_built);
 
 /// The room of Igap 2: which shells decide the thickness of a node. Present only when the scene asks for it.

@@ -27,23 +27,23 @@ struct HeatZones {
 
 /// @param distance  d = max(delta, 0) [length]
 /// @param gap       g [length]
-/// @page eq 16; field Drad, Dcond; comment 17, 23; departure D15
+/// @manual eq 16; field Drad, Dcond; comment 17, 23; departure D15
 HeatZones heat_zones(const Interface& interface, double distance, double gap, const AsBuilt& as_built);
 
 /// Conductance of the gap, per area:  1 / (d/k_s + 1/K), equation (14); 0 where K or the conductivity is 0.
 /// @param exchange      K, Kthe or Kthe f_K(AscaleK |F_n| / A), equation (15) [power/(area temperature)]
 /// @param distance      d [length]
 /// @param conductivity  k_s of the blank [power/(length temperature)]
-/// @page eq 14; field Kthe; comment 16
+/// @manual eq 14; field Kthe; comment 16
 double conduction_conductance(double exchange, double distance, double conductivity);
 
 /// Beyond the gap: K f in series with the sheet over g, f = f_cond((d - g)/(Dcond - g)), equation (20).
 /// D32: f multiplies the whole conductance of the gap.
-/// @page eq 20; field Fcond, Dcond; comment 22; departure D32
+/// @manual eq 20; field Fcond, Dcond; comment 22; departure D32
 double distance_conductance(double exchange, double share, double gap, double conductivity, const AsBuilt& as_built);
 
 /// Radiated power per area: Frad (T_m^4 - T_s^4), equation (17).
-/// @page eq 17; field Frad; comment 17
+/// @manual eq 17; field Frad; comment 17
 double radiated(double frad, double tool_temperature, double blank_temperature);
 
 /// What the heat needs to know of a node.
@@ -63,23 +63,23 @@ struct HeatFlow {
 };
 
 /// The room of heat exchange: parameters and conductivities. Present only with Ithe.
-/// @page field Ithe; comment 16
+/// @manual field Ithe; comment 16
 class HeatExchange {
   public:
     HeatExchange(const ContactModel& model, const Interface& interface);
 
     HeatFlow flow(int i, const HeatInput& input) const;
     /// The tool's temperature is that of its nodes, and not Tint.
-    /// @page field Ithe, Ithe_form, Tint
+    /// @manual field Ithe, Ithe_form, Tint
     bool tool_has_temperatures() const { return interface_.ithe == 2 || interface_.ithe_form == 1; }
     /// The tool is heated as well.
-    /// @page field Ithe_form; departure D16
+    /// @manual field Ithe_form; departure D16
     bool heats_tool() const { return interface_.ithe_form == 1; }
 
     static constexpr size_t bytes_per_node() { return sizeof(Conductivity); }
 
     /// K at a contact pressure [power/(area temperature)], equation (15).
-    /// @page eq 15; field Kthe, fct_IDK, AscaleK
+    /// @manual eq 15; field Kthe, fct_IDK, AscaleK
     double exchange(double pressure) const;
     /// k_s of the blank at secondary node i.
     const Conductivity& conductivity(int i) const { return conductivity_[static_cast<size_t>(i)]; }

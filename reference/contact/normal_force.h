@@ -19,7 +19,7 @@ inline double elastic_energy(double stiffness, double penetration) {
 
 /// D05, Istf 1 with Igap 0 or 1: Stfac raised to the power p^2 for each node whose k is not 0. Its value has no
 /// dimension.
-/// @page departure D05
+/// @manual departure D05
 inline double elastic_energy_as_built(double stfac, double stiffness, double penetration) {
     return stiffness != 0 ? std::pow(stfac, penetration * penetration) : 0.0;
 }
@@ -29,7 +29,7 @@ inline double elastic_energy_as_built(double stfac, double stiffness, double pen
 /// @param stiffness  k [force/length]
 /// @param mass       m, lumped mass of the node [mass]
 /// @return C [force time/length]
-/// @page field VISs
+/// @manual field VISs
 inline double damping_coefficient(double viss, double stiffness, double mass) {
     return viss * std::sqrt(2.0 * stiffness * mass);
 }

@@ -18,7 +18,7 @@ struct PenetrationHistory {
 /// @param penetration  p_g at time 0 [length]
 /// @param gap          g [length]
 /// @param depth        DEPTH [length]
-/// @page field Inacti; comment 9; departure D26
+/// @manual field Inacti; comment 9; departure D26
 inline double initial_offset(int inacti, double penetration, double gap, double depth) {
     if (penetration <= 0) return 0;
     if (inacti == 5) return penetration;
@@ -28,7 +28,7 @@ inline double initial_offset(int inacti, double penetration, double gap, double 
 
 /// P0 of the next cycle: it follows a decreasing penetration by 5 % a cycle and never grows.
 ///   P0 <- min(P0, 0.95 P0 + 0.05 p_g),   with p_g + 0.05 |g - p_g| in place of p_g for Inacti 6
-/// @page field Inacti; comment 9
+/// @manual field Inacti; comment 9
 inline double relaxed_offset(double offset, int inacti, double penetration, double gap) {
     const double target = inacti == 6 ? penetration + 0.05 * std::abs(gap - penetration) : penetration;
     return std::min(offset, 0.95 * offset + 0.05 * target);

@@ -24,7 +24,7 @@ inline bool limited(double stiffness, const PmaxLimit& limit) {
 /// @param stiffness    k [force/length]
 /// @param penetration  p >= 0 [length]
 /// @return F [force]
-/// @page eq 5; field Pmax; comment 5
+/// @manual eq 5; field Pmax; comment 5
 inline double limited_force(double stiffness, double penetration, const PmaxLimit& limit) {
     if (!limited(stiffness, limit)) return stiffness * penetration;
     return stiffness * std::max(penetration - limit.gap_growth, 0.0) +
@@ -34,7 +34,7 @@ inline double limited_force(double stiffness, double penetration, const PmaxLimi
 /// Integral of that F over p, exact: the part of p that the spring takes is p_s = F / k and carries F p_s / 2; the rest
 /// is the plateau, p - p_s at the force P_A.
 /// @return [energy]
-/// @page eq 5; field Pmax
+/// @manual eq 5; field Pmax
 inline double limited_energy(double stiffness, double penetration, const PmaxLimit& limit) {
     if (!limited(stiffness, limit)) return 0.5 * stiffness * penetration * penetration;
     const double force = limited_force(stiffness, penetration, limit);
@@ -45,7 +45,7 @@ inline double limited_energy(double stiffness, double penetration, const PmaxLim
 /// Largest tangential force, equation (6): A Pmax / sqrt(3), the shear yield of the limit pressure. Only with ITlim 0
 /// and Igap 2.
 /// @param pressure_force  P_A [force]
-/// @page eq 6; field ITlim, Pmax; comment 5
+/// @manual eq 6; field ITlim, Pmax; comment 5
 inline double tangential_limit(double pressure_force) {
     return pressure_force / std::sqrt(3.0);
 }

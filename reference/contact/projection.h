@@ -89,7 +89,7 @@ struct NoTrace {
 /// there, interpolate the normal with them, and follow it down to the triangle.
 /// @param trace  called with each ProjectionStep and its numbers
 /// @return nothing where the sub-triangle rejects the node. Source: formulation section 3, steps 1 to 3.
-/// @page departure D35
+/// @manual departure D35
 template <class Number, class Trace = NoTrace>
 std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTriangle<Number>& t,
                                           const ProjectionLimits<Number>& limits, Trace&& trace = Trace()) {

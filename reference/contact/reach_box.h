@@ -9,7 +9,7 @@ namespace type21::reference {
 /// the corners j, grown by 1 % of its size on each side: contact is lost over narrow convex strips.
 /// @param axes   columns: principal axes of the tool when it can turn, else the global axes, in the tool frame
 /// @param reach  largest of the gap that decides contact and the proximity reach [length]
-/// @page departure D34
+/// @manual departure D34
 bool in_reach_box(const Vec3& y, const SegmentShape<double>& segment, const Mat3& axes, double reach, double depth);
 
 /// Axes of the box for this tool.

@@ -7,7 +7,7 @@
 namespace type21::reference {
 
 /// Present only when the card asks for IBC.
-/// @page field IBC; comment 7
+/// @manual field IBC; comment 7
 class Release {
   public:
     explicit Release(int nodes) : released_(static_cast<size_t>(nodes), 0) {}

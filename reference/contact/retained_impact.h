@@ -10,16 +10,16 @@ namespace type21::reference {
 
 /// How far a node is seen by the tool.
 template <class Number>
-struct Reach {
+struct ContactReach {
     Number gap{0};        ///< g: contact below it, on the outward side [length]
     Number depth{0};      ///< DEPTH: contact below it, behind [length]
     Number proximity{0};  ///< largest reach of the active effects, outward side [length]
 };
 
 /// Contact, proximity or nothing; all comparisons strict. Formulation section 3, step 5.
-/// @page field DEPTH; comment 4
+/// @manual field DEPTH; comment 4
 template <class Number>
-Kind classify(const Approach<Number>& near, const Reach<Number>& reach) {
+Kind classify(const Approach<Number>& near, const ContactReach<Number>& reach) {
     const Number& d2 = near.squared_distance;
     if (near.side > 0 && d2 < reach.gap * reach.gap) return Kind::contact;
     if (near.side < 0 && d2 < reach.depth * reach.depth) return Kind::contact;
@@ -39,22 +39,22 @@ struct Impact {
 };
 
 /// What a rank says before kappa is looked at: contact before proximity, anything before nothing.
-/// @param one_race  D11: contact and proximity compete on kappa alone
+/// @param proximity_competes  D11: contact and proximity compete on kappa alone
 /// @return < 0: the first kind wins, > 0: the second, 0: kappa decides
-/// @page departure D11
-inline int order_of_kinds(Kind one, Kind other, bool one_race = false) {
+/// @manual departure D11
+inline int order_of_kinds(Kind one, Kind other, bool proximity_competes = false) {
     if (one == other) return 0;
     if (one == Kind::none) return +1;
     if (other == Kind::none) return -1;
-    if (one_race) return 0;
+    if (proximity_competes) return 0;
     return one == Kind::contact ? -1 : +1;
 }
 
 /// True when `one` is retained rather than `other`: contact before proximity, then the smaller kappa, then the lower
 /// segment, then the lower sub-triangle. No two different impacts are equal, so the order of candidates cannot matter.
 template <class Number>
-bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool one_race = false) {
-    const int kinds = order_of_kinds(one.kind, other.kind, one_race);
+bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool proximity_competes = false) {
+    const int kinds = order_of_kinds(one.kind, other.kind, proximity_competes);
     if (kinds != 0) return kinds < 0;
     if (one.kind == Kind::none) return false;
     if (one.kappa < other.kappa) return true;
@@ -66,7 +66,7 @@ bool precedes(const Impact<Number>& one, const Impact<Number>& other, bool one_r
 /// What one sub-triangle makes of a node; kind is none where it rejects it or does not reach it.
 template <class Number>
 Impact<Number> impact_on(const Vector<Number>& p, const SegmentShape<Number>& shape, int segment, int k,
-                         const Reach<Number>& reach, const ProjectionLimits<Number>& limits) {
+                         const ContactReach<Number>& reach, const ProjectionLimits<Number>& limits) {
     const SubTriangle<Number> t = sub_triangle(shape, k);
     const auto projection = project(p, t, limits);
     if (!projection) return {};
@@ -82,14 +82,14 @@ Impact<Number> impact_on(const Vector<Number>& p, const SegmentShape<Number>& sh
 /// @param shape_of  rank of a segment -> SegmentShape<Number>
 template <class Number, class ShapeOf>
 Impact<Number> retained_impact(const Vector<Number>& p, std::span<const int> segments, const ShapeOf& shape_of,
-                               const Reach<Number>& reach, const ProjectionLimits<Number>& limits,
-                               bool one_race = false) {
+                               const ContactReach<Number>& reach, const ProjectionLimits<Number>& limits,
+                               bool proximity_competes = false) {
     Impact<Number> best;
     for (const int segment : segments) {
         const SegmentShape<Number> shape = shape_of(segment);
         for (int k = 1; k <= shape.sub_triangles(); ++k) {
             const Impact<Number> impact = impact_on(p, shape, segment, k, reach, limits);
-            if (precedes(impact, best, one_race)) best = impact;
+            if (precedes(impact, best, proximity_competes)) best = impact;
         }
     }
     return best;

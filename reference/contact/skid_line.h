@@ -9,7 +9,7 @@ namespace type21::reference {
 
 /// |F_t| sqrt(3) / (Pskid A), capped at 1, of a node that slides; 0 of one that sticks.
 /// @param force  |F_t| [force]   @param pskid  Pskid [pressure]   @param area  A [length^2]
-/// @page field Pskid
+/// @manual field Pskid
 inline double skid_ratio(bool slides, double force, double pskid, double area) {
     return slides && area > 0 ? std::min(1.0, force * std::sqrt(3.0) / (pskid * area)) : 0.0;
 }

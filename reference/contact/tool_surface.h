@@ -11,7 +11,7 @@
 namespace type21::reference {
 
 /// The main surface with y = x - x_G at time 0 (formulation section 1).
-/// @page field surf_IDm, IDrby
+/// @manual field surf_IDm, IDrby
 class ToolSurface {
   public:
     ToolSurface(const ContactModel& model, const Interface& interface);

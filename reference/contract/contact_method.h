@@ -60,7 +60,7 @@ class ContactMethod {
     /// The nodes that would penetrate at time 0 with the nodes at `position` (indexed like ContactModel::nodes)
     /// [length] and the tools in their initial pose. Neither reads nor changes the history. In the order of the
     /// secondary nodes.
-    /// @page field Inacti; comment 8; departure D31
+    /// @manual field Inacti; comment 8; departure D31
     virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
 
     /// Memory of each effect that is present.

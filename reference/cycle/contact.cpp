@@ -163,7 +163,7 @@ std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
         const int node = state.card().secondary.node[static_cast<size_t>(i)];
         const Vec3& position = positions[static_cast<size_t>(node)];
-        const Touch touch = state.first_touch(i, position - pose.position, position, pose);
+        const LocatedImpact touch = state.first_touch(i, position - pose.position, position, pose);
         if (touch.penetration <= 0) continue;
         found.push_back(
             {node, touch.decision.segment, touch.penetration, touch.geometry.distance, touch.geometry.normal});

@@ -99,13 +99,13 @@ void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
     candidates = Candidates(surface, reach);
 }
 
-StagedImpact Contact::State::decide(const Vec3& y, const std::vector<int>& near, const Reach<double>& seen,
+StagedImpact Contact::State::decide(const Vec3& y, const std::vector<int>& near, const ContactReach<double>& seen,
                                     const ProjectionLimits<double>& limits) const {
     const ShapeOf shape_of = [this](int segment) { return surface.shape(segment); };
     return staged_impact({y, near, shape_of, seen, limits, as_built(Departure::D11)}, &stage_counts);
 }
 
-Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
+LocatedImpact Contact::State::touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     std::vector<int> near = candidates.at(y);
     if (as_built(Departure::D34)) {
@@ -116,7 +116,7 @@ Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const To
     ProjectionLimits<double> limits;
     limits.lift_leaning = as_built(Departure::D35);
     const StagedImpact impact = decide(y, near, {node.search_gap, card().depth, proximity}, limits);
-    Touch touch;
+    LocatedImpact touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;
     touch.decision = decision_of(impact);
@@ -133,12 +133,12 @@ Touch Contact::State::touch(int i, const Vec3& y, const Vec3& position, const To
     return touch;
 }
 
-Touch Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
+LocatedImpact Contact::State::first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const {
     if (!as_built(Departure::D31)) return touch(i, y, position, pose);
     const NodeConstants& node = nodes[static_cast<size_t>(i)];
     ProjectionLimits<double> limits{-0.05, 1.05, as_built(Departure::D35)};
     const StagedImpact impact = decide(y, candidates.at(y), {node.gap, card().depth, 0.0}, limits);
-    Touch touch;
+    LocatedImpact touch;
     if (impact.kind == Kind::none) return touch;
     const auto& weights = impact.projection.weights;
     touch.decision = decision_of(impact);

@@ -32,7 +32,7 @@ struct NodeConstants {
 };
 
 /// The retained impact of a node with its geometry, in the tool frame.
-struct Touch {
+struct LocatedImpact {
     Decision decision;
     ContactGeometry geometry;
     double penetration = 0;  ///< p_g [length]
@@ -47,12 +47,12 @@ struct Contact::State {
     bool has(Effect effect) const { return scene.has(interface, effect); }
 
     /// The exact decision for a node at y; counts it in the stage_counts.
-    StagedImpact decide(const Vec3& y, const std::vector<int>& near, const Reach<double>& seen,
+    StagedImpact decide(const Vec3& y, const std::vector<int>& near, const ContactReach<double>& seen,
                         const ProjectionLimits<double>& limits) const;
     /// The retained impact of secondary node i at tool-frame position y.
-    Touch touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
+    LocatedImpact touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
     /// The impact at time 0 that decides Inacti; with D31 by another projection than every cycle.
-    Touch first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
+    LocatedImpact first_touch(int i, const Vec3& y, const Vec3& position, const ToolMotion& pose) const;
     /// Fills the history of time 0 according to Inacti.
     void start(const Motion& motion);
     /// Gaps of this cycle; the boxes grow when a gap outgrows them.

@@ -34,7 +34,7 @@ const std::array<int, 4>& Inspect::segment_nodes(int segment) const {
     return state_.surface.nodes(segment);
 }
 
-Reach<double> Inspect::reach(int i) const {
+ContactReach<double> Inspect::reach(int i) const {
     return {state_.nodes[static_cast<size_t>(i)].search_gap, state_.card().depth, state_.proximity};
 }
 
@@ -44,7 +44,7 @@ ProjectionLimits<double> Inspect::limits() const {
     return limits;
 }
 
-bool Inspect::one_race() const {
+bool Inspect::proximity_competes() const {
     return state_.as_built(Departure::D11);
 }
 

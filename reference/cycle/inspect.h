@@ -28,10 +28,10 @@ class Inspect {
     /// Indices into Model::nodes of a segment's nodes.
     const std::array<int, 4>& segment_nodes(int segment) const;
 
-    Reach<double> reach(int i) const;
+    ContactReach<double> reach(int i) const;
     ProjectionLimits<double> limits() const;
     /// D11: contact and proximity compete on kappa alone.
-    bool one_race() const;
+    bool proximity_competes() const;
 
     double stiffness(int i) const;           ///< k; 0 when the node is switched off [force/length]
     double friction_stiffness(int i) const;  ///< k of the increment [force/length]

@@ -31,7 +31,7 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
     if (node.stiffness == 0 && !heat_exchange) return out;
     if (deletion && deletion->deleted(i, motion.thickness)) return leave();
     const Vec3 y = pose.rotation.transpose() * (position - pose.position);
-    const Touch touch = this->touch(i, y, position, pose);
+    const LocatedImpact touch = this->touch(i, y, position, pose);
     out.decision = touch.decision;
     if (touch.decision.kind == Kind::none) return leave();
     out.distance = touch.geometry.distance;

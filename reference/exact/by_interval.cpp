@@ -3,8 +3,8 @@
 
 namespace type21::reference {
 
-std::optional<Judged> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
-                                         int k) {
+std::optional<ImpactEnclosure> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape,
+                                                  int segment, int k) {
     try {
         const Interval::Upward upward;
         const auto impact = impact_in<Interval>(input, shape, segment, k);

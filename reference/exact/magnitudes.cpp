@@ -27,7 +27,7 @@ bool close_enough(const DecisionInput& input, const SegmentShape<double>& shape,
     const ProjectionLimits<Bounded> borderless{Bounded(-1e300), Bounded(1e300), input.limits.lift_leaning};
     try {
         const auto projection =
-            project(exactly<Bounded>(input.point), sub_triangle(exactly<Bounded>(shape), k), borderless);
+            project(convert_to<Bounded>(input.point), sub_triangle(convert_to<Bounded>(shape), k), borderless);
         return projection && close_enough(*projection, largest_length(input.point, shape));
     } catch (const Undecided&) {
         return false;

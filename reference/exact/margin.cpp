@@ -119,8 +119,8 @@ Standing standing_on(const DecisionInput& input, const Vector<Sensitive>& p, con
                                              input.limits.lift_leaning};
     if (const auto projection = project(p, t, limits)) {
         const auto near = approach(p, t, projection->weights);
-        const Reach<Sensitive> reach{Sensitive(input.reach.gap), Sensitive(input.reach.depth),
-                                     Sensitive(input.reach.proximity)};
+        const ContactReach<Sensitive> reach{Sensitive(input.reach.gap), Sensitive(input.reach.depth),
+                                            Sensitive(input.reach.proximity)};
         standing.margin = Sensitive::nearest;
         const Sensitive distance = root(near.squared_distance);
         const auto border = [&](double limit) {
@@ -160,11 +160,11 @@ double margin_at_unit_size(const DecisionInput& input) {
     }
     const Standing* best = nullptr;
     for (const Standing& one : standings)
-        if (best == nullptr || precedes(one.impact, best->impact, input.one_race)) best = &one;
+        if (best == nullptr || precedes(one.impact, best->impact, input.proximity_competes)) best = &one;
     double margin = infinity;
     for (const Standing& one : standings) {
         const bool races = &one != best && one.impact.kind != Kind::none &&
-                           order_of_kinds(one.impact.kind, best->impact.kind, input.one_race) == 0;
+                           order_of_kinds(one.impact.kind, best->impact.kind, input.proximity_competes) == 0;
         const double own = races ? (one.impact.kappa - best->impact.kappa).distance_to_zero() : one.margin;
         margin = std::min(margin, own);
     }
@@ -182,9 +182,9 @@ double decision_margin(const DecisionInput& input) {
             x /= size;
         return shape;
     };
-    const Reach<double> reach{input.reach.gap / size, input.reach.depth / size, input.reach.proximity / size};
-    return size *
-           margin_at_unit_size({input.point / size, input.segments, shape_of, reach, input.limits, input.one_race});
+    const ContactReach<double> reach{input.reach.gap / size, input.reach.depth / size, input.reach.proximity / size};
+    return size * margin_at_unit_size(
+                      {input.point / size, input.segments, shape_of, reach, input.limits, input.proximity_competes});
 }
 
 }  // namespace type21::reference

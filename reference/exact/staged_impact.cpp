@@ -25,7 +25,7 @@ class Stages {
     Stages(const DecisionInput& input, DecisionStageCounts* stage_counts)
         : input_(input), stage_counts_(stage_counts) {}
 
-    Judged judge(const SegmentShape<double>& shape, int segment, int k) {
+    ImpactEnclosure judge(const SegmentShape<double>& shape, int segment, int k) {
         if (const auto answer = judged_by_bound(input_, shape, segment, k)) return *answer;
         if (const auto answer = judge_by_interval(shape, segment, k)) return *answer;
         const auto& impact = exact(segment, k);
@@ -34,13 +34,13 @@ class Stages {
     }
 
     /// True when one is retained rather than other.
-    bool precedes(const Judged& one, const Judged& other) {
-        const int kinds = order_of_kinds(one.kind, other.kind, input_.one_race);
+    bool precedes(const ImpactEnclosure& one, const ImpactEnclosure& other) {
+        const int kinds = order_of_kinds(one.kind, other.kind, input_.proximity_competes);
         if (kinds != 0) return kinds < 0;
         if (one.kind == Kind::none || one.kappa_low > other.kappa_high) return false;
         if (one.kappa_high < other.kappa_low) return true;
         return reference::precedes(exact(one.segment, one.triangle), exact(other.segment, other.triangle),
-                                   input_.one_race);
+                                   input_.proximity_competes);
     }
 
     const Impact<Fraction>& exact(int segment, int k) {
@@ -58,7 +58,7 @@ class Stages {
     Stage stage() const { return stage_; }
 
   private:
-    std::optional<Judged> judge_by_interval(const SegmentShape<double>& shape, int segment, int k) {
+    std::optional<ImpactEnclosure> judge_by_interval(const SegmentShape<double>& shape, int segment, int k) {
         stage_ = std::max(stage_, Stage::interval);
         const auto start = Clock::now();
         const auto answer = judged_by_interval(input_, shape, segment, k);
@@ -86,13 +86,13 @@ Projection<double> rounded(const Projection<Fraction>& exact) {
     return projection;
 }
 
-StagedImpact result(const Judged& best, Stage stage, const Projection<double>& projection) {
+StagedImpact result(const ImpactEnclosure& best, Stage stage, const Projection<double>& projection) {
     return {best.kind, best.segment, best.triangle, best.side, stage, projection};
 }
 
 /// Magnitudes are those of double arithmetic; where it rejects or the bounds of its errors are too wide, the exact ones
 /// are rounded.
-Projection<double> magnitudes(const DecisionInput& input, const Judged& best, Stages& stages) {
+Projection<double> magnitudes(const DecisionInput& input, const ImpactEnclosure& best, Stages& stages) {
     if (best.kind == Kind::none) return {};
     const SegmentShape<double> shape = input.shape_of(best.segment);
     if (best.double_will_do || close_enough(input, shape, best.triangle)) {
@@ -105,9 +105,9 @@ Projection<double> magnitudes(const DecisionInput& input, const Judged& best, St
 template <class Number>
 Impact<Number> in_one_arithmetic(const DecisionInput& input) {
     return retained_impact<Number>(
-        exactly<Number>(input.point), input.segments,
-        [&](int segment) { return exactly<Number>(input.shape_of(segment)); }, exactly<Number>(input.reach),
-        exactly<Number>(input.limits), input.one_race);
+        convert_to<Number>(input.point), input.segments,
+        [&](int segment) { return convert_to<Number>(input.shape_of(segment)); }, convert_to<Number>(input.reach),
+        convert_to<Number>(input.limits), input.proximity_competes);
 }
 
 bool same(const StagedImpact& one, const StagedImpact& other) {
@@ -117,12 +117,12 @@ bool same(const StagedImpact& one, const StagedImpact& other) {
 
 }  // namespace
 
-std::optional<Judged> judged_by_bound(const DecisionInput& input, const SegmentShape<double>& shape, int segment,
-                                      int k) {
+std::optional<ImpactEnclosure> judged_by_bound(const DecisionInput& input, const SegmentShape<double>& shape,
+                                               int segment, int k) {
     try {
         const auto impact = impact_in<Bounded>(input, shape, segment, k);
         const Bounded& kappa = impact.kappa;
-        Judged answer = judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
+        ImpactEnclosure answer = judged(impact, kappa.value() - 2 * kappa.error(), kappa.value() + 2 * kappa.error());
         if (answer.kind != Kind::none)
             answer.double_will_do = close_enough(impact.projection, largest_length(input.point, shape));
         return answer;
@@ -139,11 +139,11 @@ StagedImpact staged_impact(const DecisionInput& input, DecisionStageCounts* stag
     const auto start = Clock::now();
     const double later = stage_counts == nullptr ? 0 : stage_counts->seconds[1] + stage_counts->seconds[2];
     Stages stages(input, stage_counts);
-    Judged best;
+    ImpactEnclosure best;
     for (const int segment : input.segments) {
         const SegmentShape<double> shape = input.shape_of(segment);
         for (int k = 1; k <= shape.sub_triangles(); ++k) {
-            const Judged one = stages.judge(shape, segment, k);
+            const ImpactEnclosure one = stages.judge(shape, segment, k);
             if (stages.precedes(one, best)) best = one;
         }
     }

@@ -17,9 +17,9 @@ struct DecisionInput {
     Vec3 point = Vec3::Zero();      ///< node in the tool frame, finite [length]
     std::span<const int> segments;  ///< ranks of those that may reach it; others must not be able to
     const ShapeOf& shape_of;
-    Reach<double> reach;
+    ContactReach<double> reach;
     ProjectionLimits<double> limits;
-    bool one_race = false;  ///< D11
+    bool proximity_competes = false;  ///< D11
 };
 
 /// The decision is exact, the magnitudes are doubles close to the exact ones (magnitudes.h).

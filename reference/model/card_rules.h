@@ -15,12 +15,12 @@ namespace type21 {
 bool among(int value, std::initializer_list<int> allowed);
 
 /// An error for a flag outside its values.
-void one_of(const InterfaceJudge& judge, std::string_view field, int value, std::initializer_list<int> allowed);
+void one_of(const CardValidator& judge, std::string_view field, int value, std::initializer_list<int> allowed);
 
-void not_negative(const InterfaceJudge& judge, std::string_view field, double value);
+void not_negative(const CardValidator& judge, std::string_view field, double value);
 
 /// A warning for a field that was given and has no effect.
-void unused(const InterfaceJudge& judge, std::string_view field, bool given, std::string_view reason);
+void unused(const CardValidator& judge, std::string_view field, bool given, std::string_view reason);
 
 inline void default_for_zero(Sourced<double>& field, double value, const std::string& why) {
     if (field == 0) take_default(field, value, why);

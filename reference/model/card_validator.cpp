@@ -15,7 +15,7 @@ const InterfaceField& find_field(std::string_view name) {
     return *std::find_if(fields.begin(), fields.end(), [&](const InterfaceField& field) { return field.name == name; });
 }
 
-std::string shown(const InterfaceField& field, const InterfaceJudge& judge) {
+std::string shown(const InterfaceField& field, const CardValidator& judge) {
     const std::string unit = judge.model.units.name(dimension(field, judge.interface));
     return with_field(judge.interface, field, [&](const auto& value) {
         return fmt::format("{}{}{}", value.value, unit.empty() ? "" : " ", unit);
@@ -24,24 +24,24 @@ std::string shown(const InterfaceField& field, const InterfaceJudge& judge) {
 
 }  // namespace
 
-void InterfaceJudge::error(std::string_view field, std::string rule, std::string remedy) const {
+void CardValidator::error(std::string_view field, std::string rule, std::string remedy) const {
     error_with(field, shown(find_field(field), *this), std::move(rule), std::move(remedy));
 }
 
-void InterfaceJudge::warning(std::string_view field, std::string rule, std::string remedy) const {
+void CardValidator::warning(std::string_view field, std::string rule, std::string remedy) const {
     warning_with(field, shown(find_field(field), *this), std::move(rule), std::move(remedy));
 }
 
-void InterfaceJudge::error_with(std::string_view field, std::string value, std::string rule, std::string remedy) const {
+void CardValidator::error_with(std::string_view field, std::string value, std::string rule, std::string remedy) const {
     card.error(find_field(field).line, field, std::move(value), std::move(rule), std::move(remedy));
 }
 
-void InterfaceJudge::warning_with(std::string_view field, std::string value, std::string rule,
-                                  std::string remedy) const {
+void CardValidator::warning_with(std::string_view field, std::string value, std::string rule,
+                                 std::string remedy) const {
     card.warning(find_field(field).line, field, std::move(value), std::move(rule), std::move(remedy));
 }
 
-std::string InterfaceJudge::length(double value) const {
+std::string CardValidator::length(double value) const {
     return fmt::format("{} {}", value, model.units.name(dim::length));
 }
 

@@ -10,7 +10,7 @@
 
 namespace type21 {
 
-struct InterfaceJudge {
+struct CardValidator {
     CardReader& card;
     const Model& model;
     Interface& interface;

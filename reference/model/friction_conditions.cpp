@@ -7,7 +7,7 @@
 
 namespace type21 {
 
-/// @page comment 13
+/// @manual comment 13
 std::vector<ConditionFault> renard_faults(const std::array<double, 6>& c, const UnitSystem& units) {
     std::vector<ConditionFault> faults;
     const auto ask = [&](bool holds, size_t rank, std::string rule, std::string remedy) {
@@ -31,7 +31,7 @@ std::vector<ConditionFault> renard_faults(const std::array<double, 6>& c, const 
     return faults;
 }
 
-/// @page field Xfreq; comment 15; departure D07
+/// @manual field Xfreq; comment 15; departure D07
 std::optional<ConditionFault> filter_fault(int ifiltr, double xfreq, const AsBuilt& as_built) {
     constexpr double turn = 2.0 * std::numbers::pi;
     if (xfreq < 0) return ConditionFault{0, "must not be negative", "Give 0 for no filter, or a positive value"};

@@ -24,8 +24,8 @@ size_t coefficients_of(int ifric) {
     return ifric >= 0 && ifric <= 4 ? count[ifric] : 6;
 }
 
-/// @page field Ifric; comment 13; departure D17
-void check_law(const InterfaceJudge& judge) {
+/// @manual field Ifric; comment 13; departure D17
+void check_law(const CardValidator& judge) {
     const Interface& it = judge.interface;
     for (size_t rank = coefficients_of(it.ifric); rank < it.c.size(); ++rank)
         unused(judge, coefficient_name(rank), it.c.at(rank) != 0,
@@ -39,8 +39,8 @@ void check_law(const InterfaceJudge& judge) {
         judge.error(coefficient_name(fault.rank), fault.rule, fault.remedy);
 }
 
-/// @page field fct_IDF
-void check_function(const InterfaceJudge& judge) {
+/// @manual field fct_IDF
+void check_function(const CardValidator& judge) {
     const Interface& it = judge.interface;
     unused(judge, "AscaleF", it.ascalef != 0 && it.fct_idf == 0, "fct_IDF is 0");
     if (it.fct_idf == 0) return;
@@ -50,7 +50,7 @@ void check_function(const InterfaceJudge& judge) {
                     "Set Ithe to 1 or 2, or set fct_IDF to 0 and give the coefficient as Fric");
 }
 
-void check_replaced(const InterfaceJudge& judge) {
+void check_replaced(const CardValidator& judge) {
     const Interface& it = judge.interface;
     const std::string_view taken = "/FRICTION of fric_ID takes its place";
     const bool filter_stays = judge.model.as_built.has(Departure::D28);
@@ -65,8 +65,8 @@ void check_replaced(const InterfaceJudge& judge) {
 }
 
 /// /FRICTION replaces the friction fields of the card. Source: formulation 8.
-/// @page field fric_ID
-void apply_friction_model(const InterfaceJudge& judge) {
+/// @manual field fric_ID
+void apply_friction_model(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.friction_model < 0) return;
     const FrictionModel& model = judge.model.friction_models[static_cast<size_t>(it.friction_model)];
@@ -80,7 +80,7 @@ void apply_friction_model(const InterfaceJudge& judge) {
         take_by_rule(it.c[rank], model.fallback.c[rank], of_default);
 }
 
-void note_without_friction(const InterfaceJudge& judge) {
+void note_without_friction(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (has_friction(judge.model, it)) return;
     const std::string_view reason = "the interface has no friction";
@@ -92,7 +92,7 @@ void note_without_friction(const InterfaceJudge& judge) {
 
 }  // namespace
 
-void check_friction_card(const InterfaceJudge& judge) {
+void check_friction_card(const CardValidator& judge) {
     const Interface& it = judge.interface;
     const bool by_model = it.fric_id != 0;
     one_of(judge, "Ifric", it.ifric, {0, 1, 2, 3, 4});
@@ -109,7 +109,7 @@ void check_friction_card(const InterfaceJudge& judge) {
     }
 }
 
-void apply_friction(const InterfaceJudge& judge) {
+void apply_friction(const CardValidator& judge) {
     Interface& it = judge.interface;
     const bool by_function = uses_friction_function(it);
     it.card_ifiltr = it.ifiltr;

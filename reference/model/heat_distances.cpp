@@ -9,7 +9,7 @@
 namespace type21 {
 namespace {
 
-void settle_given(const InterfaceJudge& judge) {
+void settle_given(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.frad == 0 && it.drad != 0) take_by_rule(it.drad, 0.0, "not used without Frad");
     if (it.fcond == 0 && it.dcond != 0) take_by_rule(it.dcond, 0.0, "not used without Fcond");
@@ -20,7 +20,7 @@ void settle_given(const InterfaceJudge& judge) {
     take_by_rule(it.dcond, it.drad.value, fmt::format("lowered from {} to Drad", it.dcond.value));
 }
 
-void settle_drad(const InterfaceJudge& judge, std::string_view prefix) {
+void settle_drad(const CardValidator& judge, std::string_view prefix) {
     Interface& it = judge.interface;
     if (it.drad == 0) {
         take_default(it.drad, std::max(it.largest_gap, it.shortest_edge),
@@ -39,8 +39,8 @@ void settle_drad(const InterfaceJudge& judge, std::string_view prefix) {
 
 }  // namespace
 
-/// @page field Drad, Dcond; comment 17, 24; departure D14
-void resolve_heat_distances(const InterfaceJudge& judge) {
+/// @manual field Drad, Dcond; comment 17, 24; departure D14
+void resolve_heat_distances(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.ithe == 0) return;
     const AsBuilt& as_built = judge.model.as_built;

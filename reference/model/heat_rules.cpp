@@ -11,7 +11,7 @@
 namespace type21 {
 namespace {
 
-void check_unused(const InterfaceJudge& judge) {
+void check_unused(const CardValidator& judge) {
     const Interface& it = judge.interface;
     const std::string_view reason = "Ithe is 0, there is no heat exchange";
     unused(judge, "Kthe", it.kthe != 0, reason);
@@ -27,7 +27,7 @@ void check_unused(const InterfaceJudge& judge) {
 }
 
 /// Tint is the tool's temperature only while the tool has none of its own.
-void check_tool_temperature(const InterfaceJudge& judge) {
+void check_tool_temperature(const CardValidator& judge) {
     const Interface& it = judge.interface;
     const bool constant = it.ithe == 1 && it.ithe_form == 0;
     const bool as_built = judge.model.as_built.has(Departure::D08) && uses_friction_function(it);
@@ -40,7 +40,7 @@ void check_tool_temperature(const InterfaceJudge& judge) {
 
 }  // namespace
 
-void check_heat_card(const InterfaceJudge& judge) {
+void check_heat_card(const CardValidator& judge) {
     const Interface& it = judge.interface;
     one_of(judge, "Ithe", it.ithe, {0, 1, 2});
     if (it.ithe == 0) return check_unused(judge);
@@ -67,8 +67,8 @@ void check_heat_card(const InterfaceJudge& judge) {
     }
 }
 
-/// @page field Kthe, AscaleK; departure D36
-void apply_heat(const InterfaceJudge& judge) {
+/// @manual field Kthe, AscaleK; departure D36
+void apply_heat(const CardValidator& judge) {
     Interface& it = judge.interface;
     // Blank is one unit of the card, not of the work units.
     const auto one = [&](Dimension dimension) { return conversion(judge.card.from(), judge.card.to(), dimension); };
@@ -86,8 +86,8 @@ void apply_heat(const InterfaceJudge& judge) {
     default_for_zero(it.ascalek, one(dim::pressure), "0 means 1 in the units of the card");
 }
 
-/// @page field Fcond; comment 22
-void check_distance_function(const InterfaceJudge& judge) {
+/// @manual field Fcond; comment 22
+void check_distance_function(const CardValidator& judge) {
     const Interface& it = judge.interface;
     if (it.function_distance < 0) return;
     const Function& function = judge.model.functions[static_cast<size_t>(it.function_distance)];

@@ -10,7 +10,7 @@
 namespace type21 {
 namespace {
 
-/// @page field Fscalegap, Gapmax, Pmax, ITlim; departure D03
+/// @manual field Fscalegap, Gapmax, Pmax, ITlim; departure D03
 void apply_gap(Interface& it, const AsBuilt& as_built) {
     if (it.igap == 0) {
         idle(it.fscalegap, 1.0, "not used with Igap 0");
@@ -23,8 +23,8 @@ void apply_gap(Interface& it, const AsBuilt& as_built) {
     default_for_zero(it.pmax, no_limit, "0 means no limit");
 }
 
-/// @page field Stfac, Stmin, Stmax, Pskid; departure D02
-void apply_stiffness(const InterfaceJudge& judge) {
+/// @manual field Stfac, Stmin, Stmax, Pskid; departure D02
+void apply_stiffness(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.istf == 1) {
         idle(it.stmin, 0.0, "bounds the stiffness of Istf 0 only");
@@ -44,8 +44,8 @@ void apply_stiffness(const InterfaceJudge& judge) {
 }
 
 /// Without a sensor Tstart and Tstop bound the activity, with one it decides alone. Source: page, comment 20.
-/// @page field Tstart, Tstop, sens_ID; comment 20; departure D09
-void apply_activity(const InterfaceJudge& judge) {
+/// @manual field Tstart, Tstop, sens_ID; comment 20; departure D09
+void apply_activity(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.sensor >= 0 && judge.model.as_built.has(Departure::D09)) {
         it.sensor = -1;
@@ -63,8 +63,8 @@ void apply_activity(const InterfaceJudge& judge) {
 }
 
 /// D20: as built 2, 3 and 4 are answered by a message and act as 0.
-/// @page field Inacti; departure D20
-void apply_inacti(const InterfaceJudge& judge) {
+/// @manual field Inacti; departure D20
+void apply_inacti(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (!judge.model.as_built.has(Departure::D20) || it.inacti < 2 || it.inacti > 4) return;
     judge.warning("Inacti", "D20: is not available and acts as 0", "Give one of 0, 1, 5, 6");
@@ -72,7 +72,7 @@ void apply_inacti(const InterfaceJudge& judge) {
 }
 
 /// Room for candidates; the answer never hangs on it. Source: page, comment 10.
-/// @page field Bumult; comment 10
+/// @manual field Bumult; comment 10
 void apply_bumult(Interface& it, int nodes) {
     if (nodes > 2'500'000)
         default_for_zero(it.bumult, 0.40, "more than 2.5 million nodes");
@@ -81,7 +81,7 @@ void apply_bumult(Interface& it, int nodes) {
     default_for_zero(it.bumult, 0.20, "0 means 0.20");
 }
 
-/// @page field NRadm, Padm, Angladm
+/// @manual field NRadm, Padm, Angladm
 void apply_adaptive(Interface& it) {
     if (it.iadm != 2) {
         const std::string why = "used with Iadm 2 only";
@@ -97,14 +97,14 @@ void apply_adaptive(Interface& it) {
 }
 
 /// A negative Idel keeps the node in the model; in the interface both signs are the same.
-/// @page field Idel
+/// @manual field Idel
 void apply_deletion(Interface& it) {
     if (it.idel < 0) take_by_rule(it.idel, -it.idel, fmt::format("{} acts as {}", it.idel.value, -it.idel));
 }
 
 }  // namespace
 
-void apply_interface_defaults(const InterfaceJudge& judge) {
+void apply_interface_defaults(const CardValidator& judge) {
     Interface& it = judge.interface;
     apply_deletion(it);
     apply_gap(it, judge.model.as_built);

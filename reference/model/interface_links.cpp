@@ -17,7 +17,7 @@ int index_of(const std::vector<Object>& objects, Id id) {
     return -1;
 }
 
-int surface(const InterfaceJudge& judge, std::string_view field, Id id) {
+int surface(const CardValidator& judge, std::string_view field, Id id) {
     if (id == 0) {
         judge.error(field, "names the surface and must be given", "Give the id of a /SURF");
         return -1;
@@ -32,7 +32,7 @@ int surface(const InterfaceJudge& judge, std::string_view field, Id id) {
 }
 
 template <class Object>
-int optional_link(const InterfaceJudge& judge, std::string_view field, Id id, const std::vector<Object>& objects,
+int optional_link(const CardValidator& judge, std::string_view field, Id id, const std::vector<Object>& objects,
                   std::string_view keyword) {
     if (id == 0) return -1;
     const int found = index_of(objects, id);
@@ -44,7 +44,7 @@ int optional_link(const InterfaceJudge& judge, std::string_view field, Id id, co
 
 }  // namespace
 
-void link_interface(const InterfaceJudge& judge) {
+void link_interface(const CardValidator& judge) {
     Interface& it = judge.interface;
     it.secondary_surface = surface(judge, "surf_IDs", it.surf_secondary);
     it.main_surface = surface(judge, "surf_IDm", it.surf_main);
@@ -64,8 +64,8 @@ void link_interface(const InterfaceJudge& judge) {
                     "Give the id of the /RBODY that holds every main node");
 }
 
-/// @page field IDref
-void link_reference_interface(const InterfaceJudge& judge) {
+/// @manual field IDref
+void link_reference_interface(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.idref == 0) return;
     const int found = index_of(judge.model.interfaces, it.idref);

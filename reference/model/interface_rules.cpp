@@ -10,7 +10,7 @@
 namespace type21 {
 namespace {
 
-void check_line_1(const InterfaceJudge& judge) {
+void check_line_1(const CardValidator& judge) {
     const Interface& it = judge.interface;
     one_of(judge, "Istf", it.istf, {0, 1});
     one_of(judge, "Igap", it.igap, {0, 1, 2});  // D27, not reproduced: accepted as built
@@ -28,7 +28,7 @@ void check_line_1(const InterfaceJudge& judge) {
                       "Nothing needs to be done; forces do not hang on it");
 }
 
-void check_line_2(const InterfaceJudge& judge) {
+void check_line_2(const CardValidator& judge) {
     const Interface& it = judge.interface;
     not_negative(judge, "Fscalegap", it.fscalegap);
     not_negative(judge, "Gapmax", it.gapmax);
@@ -45,7 +45,7 @@ void check_line_2(const InterfaceJudge& judge) {
                       "Give Gapmin <= Gapmax");
 }
 
-void check_line_3(const InterfaceJudge& judge) {
+void check_line_3(const CardValidator& judge) {
     const Interface& it = judge.interface;
     not_negative(judge, "Stmin", it.stmin);
     not_negative(judge, "Stmax", it.stmax);
@@ -59,7 +59,7 @@ void check_line_3(const InterfaceJudge& judge) {
     unused(judge, "Stmax", it.istf == 1 && it.stmax != 0, "it bounds the stiffness of Istf 0 only");
 }
 
-void check_line_4(const InterfaceJudge& judge) {
+void check_line_4(const CardValidator& judge) {
     const Interface& it = judge.interface;
     not_negative(judge, "Stfac", it.stfac);
     not_negative(judge, "Fric", it.fric);
@@ -73,7 +73,7 @@ void check_line_4(const InterfaceJudge& judge) {
                       "Give Tstop > Tstart, or 0 for no end");
 }
 
-void check_line_5(const InterfaceJudge& judge) {
+void check_line_5(const CardValidator& judge) {
     const Interface& it = judge.interface;
     if (!among(it.inacti, {0, 1, 3, 5, 6})) {
         if (!among(it.inacti, {2, 4}))
@@ -85,7 +85,7 @@ void check_line_5(const InterfaceJudge& judge) {
     not_negative(judge, "Bumult", it.bumult);
 }
 
-void check_line_9(const InterfaceJudge& judge) {
+void check_line_9(const CardValidator& judge) {
     const Interface& it = judge.interface;
     constexpr double half_turn = 180;
     const bool used = it.iadm == 2;
@@ -102,7 +102,7 @@ void check_line_9(const InterfaceJudge& judge) {
         judge.warning("Angladm", "has no default: with 0 every bend of the tool counts", "Give an angle in degrees");
 }
 
-void check_line_12(const InterfaceJudge& judge) {
+void check_line_12(const CardValidator& judge) {
     const Interface& it = judge.interface;
     not_negative(judge, "Damp", it.damp);
     not_negative(judge, "Dampr", it.dampr);
@@ -112,7 +112,7 @@ void check_line_12(const InterfaceJudge& judge) {
 
 }  // namespace
 
-void check_interface_card(const InterfaceJudge& judge) {
+void check_interface_card(const CardValidator& judge) {
     check_line_1(judge);
     check_line_2(judge);
     check_line_3(judge);

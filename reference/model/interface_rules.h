@@ -6,6 +6,6 @@
 namespace type21 {
 
 /// Judges the card as written; changes nothing. Every problem is reported. Source: page; formulation 2, 6 to 9.
-void check_interface_card(const InterfaceJudge& judge);
+void check_interface_card(const CardValidator& judge);
 
 }  // namespace type21

@@ -30,7 +30,7 @@ size_t sample_count(size_t segments, size_t nodes) {
     return std::min(segments, std::clamp(most_distances / nodes, fewest, most));
 }
 
-Sample examine(const InterfaceJudge& judge, const Segment& segment, size_t rank) {
+Sample examine(const CardValidator& judge, const Segment& segment, size_t rank) {
     const auto& x = judge.model.nodes.position;
     const auto& n = segment.node;
     Sample sample{rank};
@@ -47,7 +47,7 @@ Sample examine(const InterfaceJudge& judge, const Segment& segment, size_t rank)
     return sample;
 }
 
-std::vector<Sample> examine_spread(const InterfaceJudge& judge, const std::vector<Segment>& segments) {
+std::vector<Sample> examine_spread(const CardValidator& judge, const std::vector<Segment>& segments) {
     const size_t count = sample_count(segments.size(), judge.interface.secondary.node.size());
     std::vector<Sample> samples;
     for (size_t i = 0; i < count; ++i) {
@@ -78,8 +78,8 @@ Pairs facing_pairs(const std::vector<Vec3>& x, const std::vector<Sample>& sample
 
 }  // namespace
 
-/// @page field Invn; comment 21
-void check_main_normals(const InterfaceJudge& judge) {
+/// @manual field Invn; comment 21
+void check_main_normals(const CardValidator& judge) {
     constexpr double across = 0.02;
     const auto& segments = judge.model.surfaces[at(judge.interface.main_surface)].segments;
     const auto& x = judge.model.nodes.position;

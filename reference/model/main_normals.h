@@ -14,6 +14,6 @@ namespace type21 {
 /// d>| <= 0.02 |d| say nothing. The surface looks away when <n, d> < 0 on more than half of the judged area. A blank
 /// that starts behind the tool's surface gives the same answer, and needs the same look at the deck. Source: page, head
 /// ("normals ... must be oriented toward the secondary surface")
-void check_main_normals(const InterfaceJudge& judge);
+void check_main_normals(const CardValidator& judge);
 
 }  // namespace type21

@@ -20,7 +20,7 @@ bool is_void(const Model& model, const Shell& shell) {
     return material < 0 || model.materials[at(material)].law == MaterialLaw::none;
 }
 
-const std::vector<Segment>& secondary_segments(const InterfaceJudge& judge) {
+const std::vector<Segment>& secondary_segments(const CardValidator& judge) {
     return judge.model.surfaces[at(judge.interface.secondary_surface)].segments;
 }
 
@@ -57,7 +57,7 @@ double mean(const std::vector<double>& values) {
 }
 
 /// Unweighted mean thickness of the shells of the secondary surface, void ones too; 0 without any.
-double mean_shell_thickness(const InterfaceJudge& judge) {
+double mean_shell_thickness(const CardValidator& judge) {
     std::vector<double> thickness;
     for (const Segment& segment : secondary_segments(judge))
         if (segment.shell >= 0) thickness.push_back(judge.model.shells[at(segment.shell)].thickness);
@@ -65,8 +65,8 @@ double mean_shell_thickness(const InterfaceJudge& judge) {
 }
 
 /// Gapmin of Igap 0; half of a mean thickness if it is not given.
-/// @page field Gapmin; comment 2; departure D19
-void resolve_constant_gap(const InterfaceJudge& judge) {
+/// @manual field Gapmin; comment 2; departure D19
+void resolve_constant_gap(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.gapmin != 0) return;
     if (judge.model.as_built.has(Departure::D19)) {
@@ -83,8 +83,8 @@ void resolve_constant_gap(const InterfaceJudge& judge) {
                       "Give Gapmin");
 }
 
-/// @page field DEPTH; comment 4
-void resolve_depth(const InterfaceJudge& judge) {
+/// @manual field DEPTH; comment 4
+void resolve_depth(const CardValidator& judge) {
     Interface& it = judge.interface;
     if (it.depth == 0) {
         take_default(it.depth, std::max(it.largest_gap, it.shortest_edge),
@@ -112,7 +112,7 @@ std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& 
     return picked(largest, nodes);
 }
 
-/// @page eq 3, 4; departure D29
+/// @manual eq 3, 4; departure D29
 std::vector<double> contact_thickness(const Model& model, const Surface& secondary, const std::vector<int>& nodes) {
     if (model.as_built.has(Departure::D29)) return picked(contact_thickness_d29(model, secondary), nodes);
     std::vector<double> largest(model.nodes.id.size(), 0.0);
@@ -122,8 +122,8 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
     return picked(largest, nodes);
 }
 
-/// @page eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D33
-void resolve_gaps(const InterfaceJudge& judge) {
+/// @manual eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D33
+void resolve_gaps(const CardValidator& judge) {
     Interface& it = judge.interface;
     SecondarySide& side = it.secondary;
     const auto count = at(side.size());

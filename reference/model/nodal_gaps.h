@@ -20,6 +20,6 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
 ///   Igap 1, 2: g0 = max(Gapmin, min(g_s, Gapmax)),  g_s = 1/2 Fscalegap (t_c or else t0)
 ///   DEPTH:  0 -> max(largest g0, shortest edge), else at least the largest g0
 /// Source: page, equations (1) to (4) at time 0, comments 2 and 4; formulation 2, 12 (D19, D33)
-void resolve_gaps(const InterfaceJudge& judge);
+void resolve_gaps(const CardValidator& judge);
 
 }  // namespace type21

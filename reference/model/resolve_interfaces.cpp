@@ -45,7 +45,7 @@ bool has_segments(const Model& model, int surface) {
 }
 
 /// Everything of time 0 that needs both surfaces and the tool.
-void build_sides(const InterfaceJudge& judge) {
+void build_sides(const CardValidator& judge) {
     const Interface& it = judge.interface;
     if (!has_segments(judge.model, it.secondary_surface)) return;
     build_secondary_side(judge);
@@ -76,7 +76,7 @@ void resolve_interfaces(const Deck& deck, Model& model, Problems& problems) {
             reader.error(-1, "inter_ID", fmt::format("{}", interface.id), "is the id of another interface already",
                          "Give each interface an id of its own");
         if (read_interface_card(reader, model.version, interface)) {
-            const InterfaceJudge judge{reader, model, interface};
+            const CardValidator judge{reader, model, interface};
             check_interface_card(judge);
             link_interface(judge);
             apply_interface_defaults(judge);

@@ -71,8 +71,8 @@ double shortest_edge(const Model& model, const Surface& surface) {
     return shortest;
 }
 
-/// @page field surf_IDs
-void build_secondary_side(const InterfaceJudge& judge) {
+/// @manual field surf_IDs
+void build_secondary_side(const CardValidator& judge) {
     Interface& it = judge.interface;
     const Model& model = judge.model;
     const Surface& surface = model.surfaces[at(it.secondary_surface)];

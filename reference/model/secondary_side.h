@@ -7,7 +7,7 @@ namespace type21 {
 
 /// Fills nodes, thickness, contact thickness, area, element stiffness, mass and the shortest edge.
 /// The secondary surface exists and has segments. Source: formulation 2, 7
-void build_secondary_side(const InterfaceJudge& judge);
+void build_secondary_side(const CardValidator& judge);
 
 /// Distinct nodes of the segments, ascending.
 std::vector<int> surface_nodes(const Surface& surface);

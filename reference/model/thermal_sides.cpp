@@ -37,7 +37,7 @@ std::string failing(const Model& model, const std::vector<int>& nodes, Good&& go
 
 }  // namespace
 
-void check_thermal_sides(const InterfaceJudge& judge) {
+void check_thermal_sides(const CardValidator& judge) {
     const Interface& it = judge.interface;
     const Model& model = judge.model;
     if (it.ithe == 0) return;

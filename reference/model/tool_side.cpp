@@ -16,13 +16,13 @@ size_t at(int index) {
     return static_cast<size_t>(index);
 }
 
-const RigidBody& tool(const InterfaceJudge& judge) {
+const RigidBody& tool(const CardValidator& judge) {
     return judge.model.rigid_bodies[at(judge.interface.tool)];
 }
-const Surface& main_surface(const InterfaceJudge& judge) {
+const Surface& main_surface(const CardValidator& judge) {
     return judge.model.surfaces[at(judge.interface.main_surface)];
 }
-const Surface& secondary_surface(const InterfaceJudge& judge) {
+const Surface& secondary_surface(const CardValidator& judge) {
     return judge.model.surfaces[at(judge.interface.secondary_surface)];
 }
 
@@ -51,8 +51,8 @@ std::string node_list(const Model& model, const std::vector<int>& nodes) {
     return fmt::format("{} nodes: {}", nodes.size(), first_few(ids(model, nodes)));
 }
 
-/// @page field IDrby
-void check_main_nodes(const InterfaceJudge& judge, const std::vector<int>& main) {
+/// @manual field IDrby
+void check_main_nodes(const CardValidator& judge, const std::vector<int>& main) {
     std::vector<int> outside;
     const auto& body = tool(judge).nodes;
     std::set_difference(main.begin(), main.end(), body.begin(), body.end(), std::back_inserter(outside));
@@ -62,8 +62,8 @@ void check_main_nodes(const InterfaceJudge& judge, const std::vector<int>& main)
                      "Add these nodes to the node group of the /RBODY, or take their segments out of the main surface");
 }
 
-/// @page field surf_IDs, surf_IDm; departure D18
-void check_shared_nodes(const InterfaceJudge& judge, const std::vector<int>& shared) {
+/// @manual field surf_IDs, surf_IDm; departure D18
+void check_shared_nodes(const CardValidator& judge, const std::vector<int>& shared) {
     if (shared.empty()) return;
     if (judge.model.as_built.has(Departure::D18))
         judge.warning_with("surf_IDs", node_list(judge.model, shared), "D18: nodes on both sides are accepted",
@@ -75,7 +75,7 @@ void check_shared_nodes(const InterfaceJudge& judge, const std::vector<int>& sha
 }
 
 /// Such a node could only follow the tool. Those on both sides have been reported already.
-void check_secondary_nodes(const InterfaceJudge& judge, const std::vector<int>& secondary,
+void check_secondary_nodes(const CardValidator& judge, const std::vector<int>& secondary,
                            const std::vector<int>& shared) {
     std::vector<int> own;
     std::vector<int> inside;
@@ -90,8 +90,8 @@ void check_secondary_nodes(const InterfaceJudge& judge, const std::vector<int>& 
                      "Take these nodes out of the /RBODY or out of the secondary surface");
 }
 
-/// @page field surf_IDm; comment 1
-void check_elements(const InterfaceJudge& judge, std::string_view field, const Surface& surface,
+/// @manual field surf_IDm; comment 1
+void check_elements(const CardValidator& judge, std::string_view field, const Surface& surface,
                     std::string_view consequence) {
     std::vector<Id> ranks;
     for (size_t rank = 0; rank < surface.segments.size(); ++rank)
@@ -103,7 +103,7 @@ void check_elements(const InterfaceJudge& judge, std::string_view field, const S
 }
 
 /// Neither a projection nor a normal exists on a segment without area.
-void check_areas(const InterfaceJudge& judge) {
+void check_areas(const CardValidator& judge) {
     constexpr double rounding = 1e-14;  // of the squared size: what the differences of coordinates leave of a zero
     const auto& x = judge.model.nodes.position;
     std::vector<Id> ranks;
@@ -123,7 +123,7 @@ void check_areas(const InterfaceJudge& judge) {
 
 }  // namespace
 
-void build_tool_side(const InterfaceJudge& judge) {
+void build_tool_side(const CardValidator& judge) {
     Interface& it = judge.interface;
     it.main_nodes = surface_nodes(main_surface(judge));
     it.tool_rotates = !rotations_fixed(judge.model, tool(judge).main_node);
@@ -134,7 +134,7 @@ void build_tool_side(const InterfaceJudge& judge) {
     }
 }
 
-void check_sides(const InterfaceJudge& judge) {
+void check_sides(const CardValidator& judge) {
     const auto& main = judge.interface.main_nodes;
     const auto& secondary = judge.interface.secondary.node;
     std::vector<int> shared;

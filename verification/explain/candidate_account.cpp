@@ -57,7 +57,7 @@ std::string rejection_text(const ProjectionRecord& r, const ProjectionLimits<dou
 }
 
 /// Step 5 in words: the distance against what decided.
-std::string distance_text(const SubTriangleAccount& t, const reference::Reach<double>& reach) {
+std::string distance_text(const SubTriangleAccount& t, const reference::ContactReach<double>& reach) {
     const char* const sign = t.kind == Kind::none ? ">=" : "<";
     if (t.side < 0) return fmt::format("behind, d = {:.6g} {} DEPTH = {:.6g}", t.distance, sign, reach.depth);
     if (t.kind == Kind::proximity)
@@ -68,16 +68,17 @@ std::string distance_text(const SubTriangleAccount& t, const reference::Reach<do
 }
 
 /// How the retained impact beats the best of the others.
-std::string why_retained(const Impact<double>& best, const std::vector<Impact<double>>& taken, bool one_race) {
+std::string why_retained(const Impact<double>& best, const std::vector<Impact<double>>& taken,
+                         bool proximity_competes) {
     if (taken.empty()) return "";
     if (taken.size() == 1) return "the only sub-triangle that takes the node";
     Impact<double> other;
     for (const Impact<double>& impact : taken) {
         if (impact.segment == best.segment && impact.triangle == best.triangle) continue;
-        if (precedes(impact, other, one_race)) other = impact;
+        if (precedes(impact, other, proximity_competes)) other = impact;
     }
     const std::string name = fmt::format("segment {}, k = {}", other.segment + 1, other.triangle);
-    if (other.kind != best.kind && !one_race) return fmt::format("contact comes before proximity ({})", name);
+    if (other.kind != best.kind && !proximity_competes) return fmt::format("contact comes before proximity ({})", name);
     if (best.kappa < other.kappa)
         return fmt::format("smallest kappa of {}: {:.9g}, next {:.9g} of {}", taken.size(), best.kappa, other.kappa,
                            name);
@@ -117,7 +118,7 @@ CandidateAccount account_candidates(const reference::Inspect& inspect, int i, co
             if (one.kind != Kind::none) {
                 const Impact<double> impact{one.kind, segment, k, one.side, *projection, one.kappa};
                 taken.push_back(impact);
-                if (precedes(impact, account.retained, inspect.one_race())) account.retained = impact;
+                if (precedes(impact, account.retained, inspect.proximity_competes())) account.retained = impact;
             }
             of_segment.triangles.push_back(std::move(one));
         }
@@ -126,7 +127,7 @@ CandidateAccount account_candidates(const reference::Inspect& inspect, int i, co
         account.segments.push_back(std::move(of_segment));
     }
     account.taken = static_cast<int>(taken.size());
-    account.why = why_retained(account.retained, taken, inspect.one_race());
+    account.why = why_retained(account.retained, taken, inspect.proximity_competes());
     return account;
 }
 

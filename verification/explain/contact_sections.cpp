@@ -40,8 +40,8 @@ std::string settled_text(const AccountInput& input, const NodeAccount& account, 
     const Vec3 y = input.inspect.tool_frame(input.node, input.motion);
     const std::vector<int> segments = input.inspect.candidates(input.node, y);
     const ShapeOf shape_of = [&](int segment) { return input.inspect.shape(segment); };
-    const double margin = decision_margin(
-        {y, segments, shape_of, input.inspect.reach(input.node), input.inspect.limits(), input.inspect.one_race()});
+    const double margin = decision_margin({y, segments, shape_of, input.inspect.reach(input.node),
+                                           input.inspect.limits(), input.inspect.proximity_competes()});
     return fmt::format("{}; another decision is {:.3g} {} away, {:.3g} ulp", name(account.node.decision.stage), margin,
                        length, in_ulps(margin, y));
 }

@@ -57,7 +57,7 @@ AccountSection place_section(const AccountInput& input) {
     const std::string length = input.unit(dim::length);
     const ToolMotion& pose = input.motion.tools[static_cast<size_t>(input.card().tool)];
     const Vec3& x = input.motion.position[static_cast<size_t>(input.model_node())];
-    const Reach<double> reach = input.inspect.reach(input.node);
+    const ContactReach<double> reach = input.inspect.reach(input.node);
     AccountSection section{"place", {}};
     section.add("x", "", "", x, length, "position of the node");
     section.add("x_G", "", "", pose.position, length, "main node of the tool");

@@ -105,13 +105,13 @@ HostScene BenchScene::scene() const {
     return plan(std::make_shared<const Model>(model_));
 }
 
-LedNode::LedNode(const HostScene& scene, const MakeContact& make_contact)
+PrescribedNode::PrescribedNode(const HostScene& scene, const MakeContact& make_contact)
     : scene_(scene),
       contact_(make_contact(scene, 0)),
       position_(scene.model->nodes.position),
       velocity_(position_.size(), Vec3::Zero()) {}
 
-NodeContact LedNode::to(const Vec3& x, const Vec3& v, double step) {
+NodeContact PrescribedNode::to(const Vec3& x, const Vec3& v, double step) {
     const auto node = static_cast<size_t>(scene_.model->interfaces[0].secondary.node[0]);
     position_[node] = x;
     velocity_[node] = v;

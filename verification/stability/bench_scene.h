@@ -42,9 +42,9 @@ class BenchScene {
 };
 
 /// One node that is led through the seam without a host: position and velocity of each cycle are given.
-class LedNode {
+class PrescribedNode {
   public:
-    LedNode(const HostScene& scene, const MakeContact& make_contact);
+    PrescribedNode(const HostScene& scene, const MakeContact& make_contact);
     /// One cycle of length `step` [s] that ends at x [mm], reached with velocity v [mm/s].
     NodeContact to(const Vec3& x, const Vec3& v, double step);
 

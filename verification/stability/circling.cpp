@@ -65,7 +65,7 @@ LongRun circling(const MakeContact& make_contact, long cycles, bool convex) {
     run.statement =
         "a led node circles over a fold of 120 degrees, friction 0.2, 1000 cycles a turn, the same bits every turn";
     run.cycles = cycles;
-    LedNode node(fold_scene(convex).scene(), make_contact);
+    PrescribedNode node(fold_scene(convex).scene(), make_contact);
     // The speeds come from a table, too: the difference across the seam of the circle is that of every turn.
     std::vector<Vec3> place, speed;
     for (int i = 0; i < points; ++i)

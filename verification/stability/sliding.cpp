@@ -52,7 +52,7 @@ SlidingRow slide_over(const MakeContact& make_contact, Shape shape, Mesh mesh) {
     for (size_t i = 0; i < path_steps; ++i) {
         const double h = first_step / std::pow(2.0, static_cast<double>(i));
         const long cycles = std::lround(path_length / h);
-        LedNode node(scene, make_contact);
+        PrescribedNode node(scene, make_contact);
         JumpOf normal, friction, facet_normal, facet_friction;
         double sum = 0;
         Vec3 before = on_path(shape, -h);

@@ -71,7 +71,7 @@ std::vector<Mutation> decision_mutations() {
     DecisionRules low, high, race, leaning;
     low.limits.low = above(low.limits.low);
     high.limits.high = std::nextafter(high.limits.high, 0.0);
-    race.one_race = true;
+    race.proximity_competes = true;
     leaning.limits.lift_leaning = true;
     const std::string kappa = "retained impact, kappa";
     return {

@@ -16,12 +16,12 @@ namespace type21 {
 
 namespace {
 
-using JudgePiece =
-    std::function<std::optional<reference::Judged>(const reference::SegmentShape<double>& shape, int segment, int k)>;
+using JudgePiece = std::function<std::optional<reference::ImpactEnclosure>(const reference::SegmentShape<double>& shape,
+                                                                           int segment, int k)>;
 
 /// The race among pieces judged by one arithmetic; nothing where it cannot tell.
 std::optional<DecisionAnswer> race(const Question& question, const JudgePiece& judge_piece) {
-    reference::Judged best;
+    reference::ImpactEnclosure best;
     for (const int segment : question.segments()) {
         const auto shape = question.input().shape_of(segment);
         for (int k = 1; k <= shape.sub_triangles(); ++k) {

@@ -114,7 +114,7 @@ DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, c
     const Question question(tool, query);
     reference::DecisionInput input = question.input();
     input.limits = rules.limits;
-    input.one_race = rules.one_race;
+    input.proximity_competes = rules.proximity_competes;
     const reference::StagedImpact impact = staged_impact(input);
     return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
 }

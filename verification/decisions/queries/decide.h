@@ -32,7 +32,7 @@ DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, Deci
 /// The rules of a decision, for those who change one.
 struct DecisionRules {
     reference::ProjectionLimits<double> limits;
-    bool one_race = false;  ///< D11: contact and proximity compete on kappa alone
+    bool proximity_competes = false;  ///< D11: contact and proximity compete on kappa alone
 };
 
 /// The reference by other rules than those of the page.

@@ -16,9 +16,9 @@ Answer answer_in(const reference::DecisionInput& input, const Real& real) {
     Impact<Number> best;
     try {
         best = retained_impact<Number>(
-            exactly<Number>(input.point), input.segments,
-            [&](int segment) { return exactly<Number>(input.shape_of(segment)); }, exactly<Number>(input.reach),
-            exactly<Number>(input.limits));
+            convert_to<Number>(input.point), input.segments,
+            [&](int segment) { return convert_to<Number>(input.shape_of(segment)); }, convert_to<Number>(input.reach),
+            convert_to<Number>(input.limits));
     } catch (const Undecided&) {
         Answer answer;
         answer.undecided = true;

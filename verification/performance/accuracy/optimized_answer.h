@@ -12,7 +12,7 @@ inline Answer answer_of(const optimized::Retained& retained, double gap) {
     Answer answer;
     answer.stage = static_cast<int>(retained.settled);
     if (retained.segment < 0) return answer;
-    const optimized::Landing& landing = retained.landing;
+    const optimized::ProjectionResult& landing = retained.landing;
     answer.kind = landing.kind;
     answer.segment = retained.segment;
     answer.triangle = retained.piece;
@@ -37,7 +37,7 @@ class OptimizedQuestion {
     OptimizedQuestion(const DecisionTool& tool, const DecisionQuery& query) : tool_(tool), query_(query) {}
 
     optimized::V3 point() const { return optimized::from(query_.point); }
-    optimized::Window window() const { return {query_.gap, query_.depth, query_.reach}; }
+    optimized::ContactReach window() const { return {query_.gap, query_.depth, query_.reach}; }
 
     /// @param segments  a range of ranks
     template <class Segments>

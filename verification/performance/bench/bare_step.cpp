@@ -92,7 +92,7 @@ void BareStep::run(const Motion& motion) {
     batch.proximity = 0;
     const int last = static_cast<int>(nodes_.node.size());
     f.told = false;
-    optimized::Ahead ahead = optimized::asked_by_search(nodes_, motion);
+    optimized::Prefetcher ahead = optimized::asked_by_search(nodes_, motion);
     if (until == Until::force || until == Until::sum)
         optimized::add_forces(nodes_, motion, force_.data(), step_stiffness_.data(), ahead);
     batch.ahead = &ahead;

@@ -40,7 +40,7 @@ class BareStep {
     const std::vector<int>& searched() const { return searched_; }
     /// Ranks of those that it decided between two sub-triangles.
     const std::vector<int>& paired() const { return paired_; }
-    optimized::Window window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
+    optimized::ContactReach window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
 
   private:
     void at_time_zero(const optimized::Cycle& cycle);
@@ -59,7 +59,7 @@ class BareStep {
     std::vector<int> retained_;      ///< place of each node, -1: none
     std::vector<signed char> side_;  ///< its side
     optimized::PathTally tally_;
-    optimized::AskedAgain asked_again_;
+    optimized::ExclusiveRegionPolicy asked_again_;
     int cycles_ = 0;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();

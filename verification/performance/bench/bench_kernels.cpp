@@ -37,7 +37,7 @@ struct Patch {
     }
     std::vector<V3> node, normal, place;
     std::vector<SegmentData> segment;
-    Window window{0.25, 0.25, 0};
+    ContactReach window{0.25, 0.25, 0};
 };
 
 void one_filter(benchmark::State& state) {
@@ -77,8 +77,8 @@ BENCHMARK(one_whole)->Name("whole numbers, one sub-triangle");
 
 void many_plain(benchmark::State& state) {
     const Patch patch(0.05);
-    LandingRows rows;
-    for (size_t i = 0; i < LandingRows::room; ++i) {
+    ProjectionBatch rows;
+    for (size_t i = 0; i < ProjectionBatch::room; ++i) {
         const SegmentData& segment = patch.segment[i % 4];
         for (int a = 0; a < 3; ++a) {
             rows.y[a][i] = patch.place[i][a];
@@ -93,7 +93,7 @@ void many_plain(benchmark::State& state) {
         rows.gap[i] = 0.25;
     }
     for (auto _ : state) {
-        plain_landing(rows, 0, LandingRows::room, {0.25, 0.25, 0.25, 0, true});
+        project_double(rows, 0, ProjectionBatch::room, {0.25, 0.25, 0.25, 0, true});
         benchmark::ClobberMemory();
     }
 }

@@ -112,8 +112,8 @@ std::string widest() {
 
 }  // namespace
 
-Machine measure_machine(const std::vector<int>& threads, int megabytes, int repeats) {
-    Machine machine;
+MachineInfo measure_machine(const std::vector<int>& threads, int megabytes, int repeats) {
+    MachineInfo machine;
     machine.cpu = build_info().cpu;
     machine.processors = static_cast<int>(std::thread::hardware_concurrency());
     machine.simd = widest();

@@ -12,7 +12,7 @@ struct Bandwidth {
     double triad = 0;  ///< a = b + s c [GB/s]
 };
 
-struct Machine {
+struct MachineInfo {
     std::string cpu;
     int processors = 0;
     std::string simd;  ///< widest that the product's kernels use here: "avx512f", "avx2", "sse2"
@@ -22,6 +22,6 @@ struct Machine {
 };
 
 /// @param megabytes  of each array; several times the last cache
-Machine measure_machine(const std::vector<int>& threads, int megabytes, int repeats);
+MachineInfo measure_machine(const std::vector<int>& threads, int megabytes, int repeats);
 
 }  // namespace type21::bench

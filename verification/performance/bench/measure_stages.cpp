@@ -12,15 +12,15 @@ namespace type21::bench {
 
 namespace {
 
-using optimized::LandingRows;
+using optimized::ProjectionBatch;
 
 /// The projections of as many nodes, on the segment and place of each, all of them in a core.
-std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
-    std::vector<LandingRows> blocks(std::max<size_t>(count / LandingRows::room, 1));
+std::vector<ProjectionBatch> projections(const BareStep& bare, size_t count) {
+    std::vector<ProjectionBatch> blocks(std::max<size_t>(count / ProjectionBatch::room, 1));
     const optimized::Limits& limits = bare.search().limits();
     size_t i = 0;
-    for (LandingRows& rows : blocks) {
-        std::array<int, LandingRows::room> place;
+    for (ProjectionBatch& rows : blocks) {
+        std::array<int, ProjectionBatch::room> place;
         for (size_t column = 0; column < place.size(); ++column, ++i) {
             const size_t n = std::min(i, bare.place().size() - 1);
             place[column] = std::max(bare.memory()[n].place, 0);
@@ -29,16 +29,17 @@ std::vector<LandingRows> projections(const BareStep& bare, size_t count) {
             rows.core[column] = 0;
             rows.gap[column] = bare.window(n).gap;
         }
-        gather(rows, bare.laws().tool, place.data(), 0, LandingRows::room, std::max(limits.outward, limits.inward));
+        gather(rows, bare.laws().tool, place.data(), 0, ProjectionBatch::room, std::max(limits.outward, limits.inward));
     }
     return blocks;
 }
 
 /// Nodes asked again, a batch after the other: where they were retained, or as if nothing were known of them.
-class AskedAgain {
+class ExclusiveRegionPolicy {
   public:
     enum class How { near_last, anywhere };
-    AskedAgain(const BareStep& bare, const std::vector<int>& nodes, How how) : bare_(bare), nodes_(nodes), how_(how) {}
+    ExclusiveRegionPolicy(const BareStep& bare, const std::vector<int>& nodes, How how)
+        : bare_(bare), nodes_(nodes), how_(how) {}
     void operator()() {
         for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::room) {
             const size_t count = std::min<size_t>(optimized::Search::Batch::room, nodes_.size() - first);
@@ -101,11 +102,11 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             run->settle();
         product.settle();
         // As in the step, the rows stay near: few of them, again and again.
-        std::vector<LandingRows> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 256));
+        std::vector<ProjectionBatch> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 256));
         const optimized::Limits& reach = look.bare.search().limits();
         const optimized::LandingLimits limits{reach.outward, reach.inward, look.bare.window(0).depth, 0, true};
-        AskedAgain paired(look.bare, look.bare.paired(), AskedAgain::How::near_last);
-        AskedAgain searched(look.bare, look.bare.searched(), AskedAgain::How::anywhere);
+        ExclusiveRegionPolicy paired(look.bare, look.bare.paired(), ExclusiveRegionPolicy::How::near_last);
+        ExclusiveRegionPolicy searched(look.bare, look.bare.searched(), ExclusiveRegionPolicy::How::anywhere);
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(
             "product", [&] { return product.next(true); }, effort.cycles);
@@ -123,11 +124,11 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             constexpr int times = 64;
             const Watch watch(true);
             for (int t = 0; t < times; ++t) {
-                for (LandingRows& block : rows)
-                    plain_landing(block, 0, LandingRows::room, limits);
+                for (ProjectionBatch& block : rows)
+                    project_double(block, 0, ProjectionBatch::room, limits);
                 keep(rows);
             }
-            return watch.nanoseconds() / static_cast<double>(times * rows.size() * LandingRows::room);
+            return watch.nanoseconds() / static_cast<double>(times * rows.size() * ProjectionBatch::room);
         });
         rounds.add("neighbours", [&] {
             const Watch watch(true);

@@ -8,7 +8,7 @@
 
 namespace type21::bench {
 
-using optimized::LandingRows;
+using optimized::ProjectionBatch;
 using optimized::V3;
 
 PlainSearch::PlainSearch(const optimized::Tool& tool, const optimized::Limits& limits)
@@ -20,7 +20,7 @@ void PlainSearch::at(std::span<const V3> y, std::span<const double> gap, double 
     for (size_t i = 0; i < y.size(); ++i) {
         tree_.at(y[i], [&](int s) {
             for (int k = 1; k <= (tool_.is_triangle(s) ? 1 : 4); ++k) {
-                if (count_ == LandingRows::room) decide(gap, depth, found);
+                if (count_ == ProjectionBatch::room) decide(gap, depth, found);
                 for (int a = 0; a < 3; ++a)
                     rows_.y[a][count_] = y[i][a];
                 candidates_[count_++] = {static_cast<int>(i), optimized::place_of(s, k)};
@@ -33,13 +33,13 @@ void PlainSearch::at(std::span<const V3> y, std::span<const double> gap, double 
 /// Formulation sections 3 and 4 on the numbers as they are.
 void PlainSearch::decide(std::span<const double> gap, double depth, std::span<Decision> found) {
     if (count_ == 0) return;
-    int place[LandingRows::room];
+    int place[ProjectionBatch::room];
     for (int c = 0; c < count_; ++c)
         place[c] = candidates_[c].place;
     gather(rows_, tool_, place, 0, count_, std::max(limits_.outward, limits_.inward));
-    plain_landing(rows_, 0, count_, {limits_.outward, limits_.inward, depth, 0, false});
+    project_double(rows_, 0, count_, {limits_.outward, limits_.inward, depth, 0, false});
     for (int c = 0; c < count_; ++c) {
-        const LandingRows& r = rows_;
+        const ProjectionBatch& r = rows_;
         constexpr double low = optimized::weight_limit;
         const double a = 1 - r.b[c] - r.c[c], b = r.b[c], q = r.c[c];
         const bool lands = r.total[c] > 0 && std::min({r.weight[0][c], r.weight[1][c], r.weight[2][c]}) >= low &&

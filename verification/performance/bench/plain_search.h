@@ -28,8 +28,8 @@ class PlainSearch {
     const optimized::Tool& tool_;
     optimized::Limits limits_;
     optimized::BoxTree tree_;
-    optimized::LandingRows rows_;
-    Candidate candidates_[optimized::LandingRows::room];
+    optimized::ProjectionBatch rows_;
+    Candidate candidates_[optimized::ProjectionBatch::room];
     int count_ = 0;
     std::vector<double> kappa_;  ///< of what is found [-]
 };

@@ -96,7 +96,7 @@ struct BenchResult {
     int repeats = 0;
     bool quick = false;
     double seconds = 0;
-    Machine machine;
+    MachineInfo machine;
     std::vector<SceneRow> scenes;
     std::vector<MethodRow> rows;
     std::vector<RatioRow> ratios;

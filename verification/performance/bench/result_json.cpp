@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json of(const Machine& m) {
+Json of(const MachineInfo& m) {
     Json bandwidth = Json::array();
     for (const Bandwidth& b : m.bandwidth)
         bandwidth.push_back({{"threads", b.threads}, {"copy_gb_s", b.copy}, {"triad_gb_s", b.triad}});

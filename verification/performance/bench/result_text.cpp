@@ -41,7 +41,7 @@ std::string scene_text(const BenchResult& result, const SceneRow& s) {
 }  // namespace
 
 std::string to_text(const BenchResult& result) {
-    const Machine& m = result.machine;
+    const MachineInfo& m = result.machine;
     std::string out = fmt::format("{}, {} processors, {}, FMA {:.1f} Gflop/s", m.cpu, m.processors, m.simd, m.fma);
     for (const Bandwidth& b : m.bandwidth)
         out += fmt::format("; {} {}: copy {:.1f}, triad {:.1f} GB/s", b.threads, b.threads == 1 ? "thread" : "threads",

@@ -51,7 +51,7 @@ TEST(Contact, FullElasticForceAtTimeZero) {
     EXPECT_NEAR(step.tool.moment.y(), 0.2 * 200, 1e-10);
 }
 
-// @page field Inacti; comment 9
+// @manual field Inacti; comment 9
 TEST(Contact, InactiStartsWithAnOffset) {
     for (const int inacti : {1, 5, 6}) {
         SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
@@ -71,7 +71,7 @@ TEST(Contact, InactiStartsWithAnOffset) {
     }
 }
 
-// @page field VISs; comment 9
+// @manual field VISs; comment 9
 TEST(Contact, FirstCycleOfALaterImpactHasDampingOnly) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.6}});
     small.card().viss.value = 0.5;
@@ -94,7 +94,7 @@ TEST(Contact, FirstCycleOfALaterImpactHasDampingOnly) {
     EXPECT_EQ(hand.step(0.4, 0.1).nodes[0].elastic_force, 0.0);
 }
 
-// @page field VISs
+// @manual field VISs
 TEST(Contact, DampingPullsWhenTheNodeLeaves) {
     SmallScene small = over_a_square({{0, 0, 0.49}});
     small.card().viss.value = 1.0;
@@ -103,7 +103,7 @@ TEST(Contact, DampingPullsWhenTheNodeLeaves) {
     EXPECT_NEAR(hand.step(0, 0).nodes[0].normal_force, 1000 * 0.01 - std::sqrt(2000.0) * 3, 1e-10);
 }
 
-// @page eq 12; field Fric; comment 12, 14
+// @manual eq 12; field Fric; comment 12, 14
 TEST(Contact, CoulombFrictionBuildsUpAndSlips) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.4}});
     small.card().fric.value = 0.1;
@@ -144,7 +144,7 @@ TEST(Contact, ATurnedToolTurnsTheForce) {
     EXPECT_NEAR((step.nodes[0].force - turn * Vec3(0, 0, 200)).norm(), 0, 1e-9);
 }
 
-// @page field DEPTH, Tstart, Tstop; comment 4, 20
+// @manual field DEPTH, Tstart, Tstop; comment 4, 20
 TEST(Contact, NoForceDeeperThanDepthOrOutsideTheWindow) {
     SmallScene small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -2.0}});
     Hand hand(small);
@@ -158,7 +158,7 @@ TEST(Contact, NoForceDeeperThanDepthOrOutsideTheWindow) {
     EXPECT_TRUE(wait.step(0.5, 0.1).active);
 }
 
-// @page field Invn; comment 21
+// @manual field Invn; comment 21
 TEST(Contact, InvnNamesTheNodeThatCameFromBehind) {
     SmallScene small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -1.9}});
     small.card().invn.value = 1;
@@ -168,7 +168,7 @@ TEST(Contact, InvnNamesTheNodeThatCameFromBehind) {
     EXPECT_EQ(step.inverted[0].node, small.blank_node(0));
 }
 
-// @page field IBC; comment 7
+// @manual field IBC; comment 7
 TEST(Contact, IbcReleasesOnceAtTheFirstEffectivePenetration) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.6}});
     small.card().ibc.value = 1;
@@ -181,7 +181,7 @@ TEST(Contact, IbcReleasesOnceAtTheFirstEffectivePenetration) {
     EXPECT_TRUE(hand.step(0.3, 0.1).released.empty());
 }
 
-// @page field Damp, Dampr, IDref; comment 19; departure D13
+// @manual field Damp, Dampr, IDref; comment 19; departure D13
 TEST(Contact, ToolDampingUsesTheContactStiffness) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
     small.card().damp.value = 0.1;
@@ -200,7 +200,7 @@ TEST(Contact, ToolDampingUsesTheContactStiffness) {
     EXPECT_NEAR(built.step(0.1, 0.1).tool.damping_force.z(), 2 * 2 * 0.1 * std::sqrt(10 * k), 1e-9);
 }
 
-// @page departure D12
+// @manual departure D12
 TEST(Contact, AsBuiltANodeOnTheSurfaceHasNoDirection) {
     SmallScene small = over_a_square({{0.25, 0.125, 0.0}});
     Hand page(small);

@@ -37,7 +37,7 @@ double offset_of_a_later_impact(bool d26) {
     return offset;
 }
 
-// @page field Inacti; comment 9; departure D26
+// @manual field Inacti; comment 9; departure D26
 TEST(Departures, D26ForgetsInacti6WhereNothingPenetratesAtTimeZero) {
     EXPECT_NEAR(offset_of_a_later_impact(false), 0.95 * 0.2 + 0.05 * (0.1 + 0.05 * 0.4), 1e-12);
     EXPECT_NEAR(offset_of_a_later_impact(true), 0.95 * 0.2 + 0.05 * 0.1, 1e-12);
@@ -76,14 +76,14 @@ double friction_of_a_hot_node(bool d08) {
 }
 
 // mu = 0.1 f(2 (300 + 900) / 2) = 0.12; as built 0.1 f((300 + 500) / 2) = 0.04.
-// @page eq 7, 8; field fct_IDF, AscaleF; comment 12; departure D08
+// @manual eq 7, 8; field fct_IDF, AscaleF; comment 12; departure D08
 TEST(Departures, D08TakesTheFunctionOfTemperatureElsewhere) {
     EXPECT_NEAR(friction_of_a_hot_node(false), 0.12 * 200, 1e-10);
     EXPECT_NEAR(friction_of_a_hot_node(true), 0.04 * 200, 1e-10);
 }
 
 // 3 % beyond the border of the square: outside of the margin of 1 %, inside of that of 5 %.
-// @page departure D31
+// @manual departure D31
 TEST(Departures, D31FindsTheFirstImpactWithWiderMargins) {
     SmallScene small = over_a_square({{1.03, 0.1, 0.3}});
     EXPECT_TRUE(Contact(small.scene(), 0).initial_penetrations().empty());
@@ -93,7 +93,7 @@ TEST(Departures, D31FindsTheFirstImpactWithWiderMargins) {
     EXPECT_NEAR(found[0].penetration, 0.2, 1e-12);
 }
 
-// @page departure D11
+// @manual departure D11
 TEST(Departures, D11LetsTheMoreCentralProximityWin) {
     Impact<double> contact;
     contact.kind = Kind::contact;

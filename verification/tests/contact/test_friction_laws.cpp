@@ -21,7 +21,7 @@ AsBuilt with(Departure departure) {
     return set;
 }
 
-// @page eq 9, 10; field Ifric, Fric, C1, C2, C3, C4, C5; comment 13
+// @manual eq 9, 10; field Ifric, Fric, C1, C2, C3, C4, C5; comment 13
 TEST(FrictionLaw, ViscousCountsEachTermOnce) {
     const FrictionCoefficients f{0.1, {2e-3, 3e-4, 5e-6, 7e-6, 11e-8, 0}};
     // p = 10, s = 100: 0.1 + 0.02 + 0.03 + 0.005 + 0.0007 + 0.0011
@@ -31,7 +31,7 @@ TEST(FrictionLaw, ViscousCountsEachTermOnce) {
     EXPECT_EQ(friction_coefficient(1, {0.1, {2e-3, 0, 0, 0, 0, 0}}, -1e4, 0, page), 1e-30);
 }
 
-// @page eq 11; field C6; comment 13
+// @manual eq 11; field C6; comment 13
 TEST(FrictionLaw, Darmstadt) {
     const FrictionCoefficients f{0.05, {1e-4, -0.01, 2e-3, -0.02, 0.3, -0.03}};
     // p = 10, s = 100: e^-1, e^-2, e^-3
@@ -39,7 +39,7 @@ TEST(FrictionLaw, Darmstadt) {
     EXPECT_NEAR(friction_coefficient(2, f, 10, 100, page), expected, 1e-15);
 }
 
-// @page comment 13; field Ifric
+// @manual comment 13; field Ifric
 TEST(FrictionLaw, RenardMeetsItsFourCoefficients) {
     const FrictionCoefficients f{0.9, {0.10, 0.08, 0.15, 0.05, 10, 100}};            // Fric is not in it
     EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 0, page), 0.10);                  // static
@@ -51,7 +51,7 @@ TEST(FrictionLaw, RenardMeetsItsFourCoefficients) {
     EXPECT_NEAR(friction_coefficient(3, f, 0, 101, page), 0.08 - 1 / (1 / 0.03 + 1), 1e-15);
 }
 
-// @page departure D10; field Ifric
+// @manual departure D10; field Ifric
 TEST(FrictionLaw, ExponentialDecaysFromFricToC1) {
     const FrictionCoefficients f{0.3, {0.1, 0.01, 0, 0, 0, 0}};
     EXPECT_DOUBLE_EQ(friction_coefficient(4, f, 0, 0, page), 0.3);
@@ -61,7 +61,7 @@ TEST(FrictionLaw, ExponentialDecaysFromFricToC1) {
     EXPECT_NEAR(friction_coefficient(4, f, 0, 100, with(Departure::D10)), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
 }
 
-// @page comment 12; field Fric, fric_ID
+// @manual comment 12; field Fric, fric_ID
 TEST(FrictionLaw, CoulombIsFricAndAPairOfPartsGoesFirst) {
     EXPECT_EQ(friction_coefficient(0, {0.12, {1, 1, 1, 1, 1, 1}}, 10, 10, page), 0.12);
     Model model;
@@ -87,7 +87,7 @@ Interface filtered(int ifiltr, double xfreq) {
     return card;
 }
 
-// @page eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07
+// @manual eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07
 TEST(FrictionFilter, Constants) {
     constexpr double turn = 2 * std::numbers::pi;
     EXPECT_EQ(filter_constant(filtered(0, 0.3), 1e-6, page), 1.0);
@@ -101,7 +101,7 @@ TEST(FrictionFilter, Constants) {
     EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 3e5), 1e-6, with(Departure::D06)), turn * 0.3);
 }
 
-// @page departure D28
+// @manual departure D28
 TEST(FrictionFilter, AsBuiltTheCardKeepsItsConstant) {
     Interface card = filtered(1, 0.3);
     card.friction_model = 0;
@@ -112,7 +112,7 @@ TEST(FrictionFilter, AsBuiltTheCardKeepsItsConstant) {
 }
 
 // Sticking at constant velocity the force after n cycles is n alpha k v dt: the filter only scales the increment.
-// @page eq 12, 13; comment 14
+// @manual eq 12, 13; comment 14
 TEST(FrictionFilter, StepResponse) {
     const double alpha = filter_constant(filtered(1, 0.3), 1e-3, page);
     Vec3 force = Vec3::Zero();
@@ -122,7 +122,7 @@ TEST(FrictionFilter, StepResponse) {
     }
 }
 
-// @page eq 19; comment 18; field Fheat
+// @manual eq 19; comment 18; field Fheat
 TEST(FrictionEnergy, SlipDissipatesWhatTheSpringDoesNotKeep) {
     // T = 100 * 0.3 = 30, limit 12: the spring keeps 12 / 100 of the way 0.3, slip is 0.18 under the force 12.
     const auto slip = friction_force(Vec3::Zero(), 100, {3, 0, 0}, 0.1, {0, 0, 1}, 12);
@@ -132,7 +132,7 @@ TEST(FrictionEnergy, SlipDissipatesWhatTheSpringDoesNotKeep) {
     EXPECT_EQ(slip_energy(slip, 0), 0.0);
 }
 
-// @page field Pskid
+// @manual field Pskid
 TEST(SkidLine, IsAnEnvelopeOfSlidingOnly) {
     EXPECT_EQ(skid_ratio(false, 10, 5, 4), 0.0);
     EXPECT_DOUBLE_EQ(skid_ratio(true, 10, 5, 4), 10 * std::sqrt(3.0) / 20);

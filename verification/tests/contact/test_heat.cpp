@@ -18,14 +18,14 @@ using test::SmallScene;
 
 const AsBuilt page;
 
-// @page eq 14, 15; field Kthe, fct_IDK, AscaleK; comment 16
+// @manual eq 14, 15; field Kthe, fct_IDK, AscaleK; comment 16
 TEST(Heat, ConductanceIsASeriesOfSheetAndContact) {
     EXPECT_DOUBLE_EQ(conduction_conductance(20, 0.0, 50), 20);
     EXPECT_DOUBLE_EQ(conduction_conductance(20, 0.5, 50), 1 / (0.01 + 0.05));
     EXPECT_EQ(conduction_conductance(0, 0.5, 50), 0.0);
 }
 
-// @page eq 20; field Fcond, Dcond; comment 22; departure D32
+// @manual eq 20; field Fcond, Dcond; comment 22; departure D32
 TEST(Heat, DistanceScalesTheCoefficientInSeriesWithTheSheet) {
     AsBuilt d32;
     d32.set(Departure::D32);
@@ -34,13 +34,13 @@ TEST(Heat, DistanceScalesTheCoefficientInSeriesWithTheSheet) {
     EXPECT_EQ(distance_conductance(20, 0.0, 0.5, 50, page), 0.0);
 }
 
-// @page eq 17; field Frad; comment 17
+// @manual eq 17; field Frad; comment 17
 TEST(Heat, RadiationIsTheDifferenceOfFourthPowers) {
     EXPECT_NEAR(radiated(5.67e-8, 900, 300), 5.67e-8 * (std::pow(900.0, 4) - std::pow(300.0, 4)), 1e-8);
     EXPECT_EQ(radiated(5.67e-8, 300, 300), 0.0);
 }
 
-// @page eq 16; field Drad; comment 17, 22, 23; departure D15
+// @manual eq 16; field Drad; comment 17, 22, 23; departure D15
 TEST(Heat, Zones) {
     Interface card;
     card.frad.value = 1;
@@ -106,7 +106,7 @@ struct Hot {
 };
 
 // Conduction at d = 0.3: Phi = A (T_m - T_s) dt / (d / (A_S + B_S T_s) + 1 / K)
-// @page field Ithe, Tint, Kthe; comment 16
+// @manual field Ithe, Tint, Kthe; comment 16
 TEST(Heat, OneCycleOfConduction) {
     Hot hot(0.3);
     Contact contact(hot.small.scene(), 0);
@@ -164,7 +164,7 @@ TEST(Heat, RadiationConvergesToItsOde) {
     EXPECT_NEAR(error[0] / error[1], 2.0, 0.05);  // first order
 }
 
-// @page field Ithe_form; comment 16; departure D16
+// @manual field Ithe_form; comment 16; departure D16
 TEST(Heat, WhatTheToolGivesTheBlankGets) {
     Hot hot(0.3);
     hot.small.card().ithe_form.value = 1;
@@ -177,7 +177,7 @@ TEST(Heat, WhatTheToolGivesTheBlankGets) {
     EXPECT_NEAR(node.heat, 4 * 600 * 1e-3 / (0.3 / 56 + 0.05), 1e-10);  // T_m = 900, not Tint
 }
 
-// @page field Ithe
+// @manual field Ithe
 TEST(Heat, WithoutItheNothingThermalIsThere) {
     SmallScene cold = over_a_square({{0.2, 0.1, 0.3}});
     for (const EffectMemory& room : Contact(cold.scene(), 0).memory_by_effect())
@@ -190,7 +190,7 @@ TEST(Heat, WithoutItheNothingThermalIsThere) {
 }
 
 // Proximity exchanges heat only.
-// @page eq 16; comment 17
+// @manual eq 16; comment 17
 TEST(Heat, AProximityNodeHasNoForce) {
     Hot hot(0.9);
     hot.small.card().frad.value = 5.67e-8;

@@ -16,7 +16,7 @@
 namespace type21::reference {
 namespace {
 
-// @page field Inacti; comment 9
+// @manual field Inacti; comment 9
 TEST(PenetrationOffset, OfTimeZero) {
     EXPECT_EQ(initial_offset(0, 0.2, 0.5, 5.0), 0.0);
     EXPECT_EQ(initial_offset(5, 0.2, 0.5, 5.0), 0.2);
@@ -24,7 +24,7 @@ TEST(PenetrationOffset, OfTimeZero) {
     EXPECT_EQ(initial_offset(6, 0.0, 0.5, 5.0), 0.0);
 }
 
-// @page comment 9
+// @manual comment 9
 TEST(PenetrationOffset, FollowsADecreasingPenetrationAndNeverGrows) {
     EXPECT_DOUBLE_EQ(relaxed_offset(0.2, 0, 0.1, 0.5), 0.195);  // 0.19 + 0.005
     EXPECT_EQ(relaxed_offset(0.2, 0, 0.3, 0.5), 0.2);
@@ -40,7 +40,7 @@ TEST(PenetrationOffset, WhereTheStiffnessActs) {
     EXPECT_TRUE(stiffness_acts(0.0, 1, 0, true));
 }
 
-// @page field Istf, Stfac, Stmin, Stmax; departure D01
+// @manual field Istf, Stfac, Stmin, Stmax; departure D01
 TEST(Stiffness, ScaledAndBounded) {
     Interface card;
     card.stfac.value = 0.3;
@@ -59,7 +59,7 @@ TEST(Stiffness, ScaledAndBounded) {
     EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, page), 0.3);
 }
 
-// @page departure D04
+// @manual departure D04
 TEST(Stiffness, OfTheFrictionIncrement) {
     Interface card;
     AsBuilt page;
@@ -72,7 +72,7 @@ TEST(Stiffness, OfTheFrictionIncrement) {
     EXPECT_EQ(friction_stiffness(card, 5e4, 252000, d04), 1.0);
 }
 
-// @page departure D05
+// @manual departure D05
 TEST(NormalForce, ForceAndItsIntegral) {
     EXPECT_DOUBLE_EQ(elastic_force(252000, 0.01), 2520);
     EXPECT_DOUBLE_EQ(elastic_energy(252000, 0.01), 12.6);
@@ -85,7 +85,7 @@ TEST(NormalForce, ForceAndItsIntegral) {
     EXPECT_EQ(elastic_energy_as_built(5e4, 0.0, 0.5), 0.0);
 }
 
-// @page field VISs
+// @manual field VISs
 TEST(NormalForce, CriticalDamping) {
     EXPECT_DOUBLE_EQ(damping_coefficient(1.0, 200.0, 0.25), 10.0);  // sqrt(2 * 200 * 0.25)
     EXPECT_DOUBLE_EQ(damping_coefficient(0.2, 200.0, 0.25), 2.0);
@@ -93,7 +93,7 @@ TEST(NormalForce, CriticalDamping) {
     EXPECT_DOUBLE_EQ(step_stiffness(200, 10, 0.0), 200);
 }
 
-// @page eq 12; comment 14
+// @manual eq 12; comment 14
 TEST(Friction, SticksSlipsAndTurnsWithTheSurface) {
     const Vec3 z(0, 0, 1);
     // T = 100 * (0.3, 0, 5) * 0.1 = (3, 0, 50); its part along z goes.
@@ -115,7 +115,7 @@ TEST(ToolDamping, ShareOfTheCritical) {
     EXPECT_EQ(tool_damping(2.0, {1, 0, 3}, {0, 0, 1}), Vec3(-2, 0, -4));
 }
 
-// @page field Tstart, Tstop, sens_ID; comment 20
+// @manual field Tstart, Tstop, sens_ID; comment 20
 TEST(Activity, WindowOrSensorAlone) {
     Model model;
     Interface card;
@@ -133,7 +133,7 @@ TEST(Activity, WindowOrSensorAlone) {
     EXPECT_TRUE(active(model, card, 5.0));
 }
 
-// @page departure D12
+// @manual departure D12
 TEST(ContactGeometry, DistanceRunsAlongTheInterpolatedNormal) {
     SubTriangle<double> t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     // From the projection test: n = (0.5, 0, 1), X = (0.5, 0, 0), P = X + 0.2 n, so delta = 0.2 |n|.

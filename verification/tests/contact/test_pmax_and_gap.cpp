@@ -18,7 +18,7 @@ namespace {
 constexpr double k = 1000;
 constexpr PmaxLimit plateau{0.05, 10};
 
-// @page eq 5; field Pmax, Igap; comment 5
+// @manual eq 5; field Pmax, Igap; comment 5
 TEST(PmaxLimit, PlateauBetweenTwoSlopes) {
     EXPECT_DOUBLE_EQ(limited_force(k, 0.005, plateau), 5);
     EXPECT_DOUBLE_EQ(limited_force(k, 0.01, plateau), 10);
@@ -55,7 +55,7 @@ TEST(PmaxLimit, EnergyIsTheIntegralOfTheForce) {
                 1e-12);  // triangle, plateau, trapezium 10..60 over 0.05
 }
 
-// @page eq 6; field ITlim
+// @manual eq 6; field ITlim
 TEST(PmaxLimit, TangentialForceStopsAtTheShearYield) {
     EXPECT_DOUBLE_EQ(tangential_limit(600), 600 / std::sqrt(3.0));
 }
@@ -68,7 +68,7 @@ Interface growing(double fscale, double gapmin, double gapmax) {
     return card;
 }
 
-// @page eq 1, 2, 3, 4; field Fscalegap, Gapmin, Gapmax, Igap; comment 2; departure D30
+// @manual eq 1, 2, 3, 4; field Fscalegap, Gapmin, Gapmax, Igap; comment 2; departure D30
 TEST(GapGrowth, FollowsTheThickness) {
     const AsBuilt page;
     const Interface card = growing(0.8, 0.1, 0.9);
@@ -86,7 +86,7 @@ TEST(GapGrowth, FollowsTheThickness) {
     EXPECT_NEAR(grown_gap(low, 2.0, 0.7, -0.2, d30).clipped, 0.62, 1e-15);  // 0.7 - 0.08
 }
 
-// @page field Idel; comment 2
+// @manual field Idel; comment 2
 TEST(Deletion, ANodeLeavesWithItsLastShell) {
     Model model;
     model.shells = {{1, {0, 1, 2, 3}, 0, 1.0}, {2, {1, 4, 5, 2}, 0, 1.0}};
@@ -104,7 +104,7 @@ TEST(Deletion, ANodeLeavesWithItsLastShell) {
 
 // A cylinder of radius 10 about the y axis: the quad spans the angle 0.2, its normals turn by 0.2 over the chord 20 sin
 // 0.1.
-// @page field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
+// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 TEST(AdaptiveData, RadiusFromTheTurningOfNormals) {
     SegmentShape<double> s;
     const auto at = [](double angle, double y) { return Vec3(10 * std::sin(angle), y, 10 * std::cos(angle)); };

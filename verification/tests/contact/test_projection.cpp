@@ -51,7 +51,7 @@ TEST(Projection, ANormalThatLeansOverRejectsOffThePlaneOnly) {
 }
 
 // D35: the same triangle, lifted with 1e-30 in place of <n_B, N>, sends B' to 1e29: accepted only near b = 0.
-// @page departure D35
+// @manual departure D35
 TEST(Projection, AsBuiltLiftsALeaningNormal) {
     ProjectionLimits<double> as_built;
     as_built.lift_leaning = true;
@@ -107,9 +107,9 @@ TEST(SubTriangle, QuadFansRoundItsMeanAndATriangleStartsAtItsThirdNode) {
     EXPECT_EQ(only.area, Vec3(0, 0, 1));
 }
 
-// @page field DEPTH; comment 4
+// @manual field DEPTH; comment 4
 TEST(Classify, ComparisonsAreStrict) {
-    const Reach<double> reach{0.5, 2.0, 1.0};
+    const ContactReach<double> reach{0.5, 2.0, 1.0};
     EXPECT_EQ(classify<double>({0.2499, +1}, reach), Kind::contact);
     EXPECT_EQ(classify<double>({0.25, +1}, reach), Kind::proximity);
     EXPECT_EQ(classify<double>({1.0, +1}, reach), Kind::none);

@@ -16,7 +16,7 @@ namespace {
 
 using test::SmallScene;
 
-// @page field surf_IDm
+// @manual field surf_IDm
 TEST(NodalNormals, CountSubTrianglesAndNotAreas) {
     // A quad in z = 0 (two sub-triangles at the shared corners, normal z) and a triangle standing up at its edge (one,
     // normal x).
@@ -58,11 +58,11 @@ SmallScene bumpy(int n) {
     return {nodes, segments, {{0, 0, 1}}};
 }
 
-// @page field Bumult
+// @manual field Bumult
 TEST(Candidates, RetainTheSameImpactAsAllSegments) {
     SmallScene small = bumpy(12);
     const ToolSurface tool(small.model(), small.card());
-    const Reach<double> reach{0.7, 1.4, 0.0};
+    const ContactReach<double> reach{0.7, 1.4, 0.0};
     const Candidates candidates(tool, 1.4);
     std::vector<int> all(static_cast<size_t>(tool.size()));
     for (int s = 0; s < tool.size(); ++s)
@@ -90,7 +90,7 @@ TEST(Candidates, RetainTheSameImpactAsAllSegments) {
     EXPECT_LT(tried, 4000 * all.size() / 4);  // and the tree does skip
 }
 
-// @page departure D34
+// @manual departure D34
 TEST(ReachBox, GrowsByOnePercentOfItsSize) {
     SegmentShape<double> square;
     square.node = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};

@@ -142,7 +142,7 @@ TEST(March, ASpringGivesBackItsEnergy) {
     EXPECT_NEAR(kept.back().totals.normal.z(), -kept.back().velocity[n].z(), 1e-12);
 }
 
-// @page departure D25
+// @manual departure D25
 TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
     SmallScene small = over_a_square({{0, 0, 0.4}});
     small.fix(0, all_fixed);
@@ -161,7 +161,7 @@ TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
                 1e-15);  // REAC keeps the current weight
 }
 
-// @page departure D24
+// @manual departure D24
 TEST(March, AsBuiltTheOrientationIsOneStepOld) {
     SmallScene small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
@@ -175,7 +175,7 @@ TEST(March, AsBuiltTheOrientationIsOneStepOld) {
     EXPECT_NEAR(angle(kept[2]), 0.01, 1e-15);
 }
 
-// @page field Inacti; comment 8
+// @manual field Inacti; comment 8
 TEST(March, InactiThreeMovesTheNodeOut) {
     SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
     small.fix(0, all_fixed);
@@ -186,7 +186,7 @@ TEST(March, InactiThreeMovesTheNodeOut) {
         EXPECT_EQ(k.contact.nodes[0].force, Vec3(0, 0, 0));
 }
 
-// @page field IBC; comment 7
+// @manual field IBC; comment 7
 // Inacti 1 looks at time 0 also when the interface starts later: the node that penetrated then stays off.
 TEST(March, InactiOneHoldsWhenTheInterfaceStartsLater) {
     for (const int inacti : {0, 1}) {
@@ -253,7 +253,7 @@ TEST(March, StopsWhereNothingLimitsTheStep) {
     EXPECT_THROW(run(small), RunStopped);
 }
 
-// @page field Invn; comment 21
+// @manual field Invn; comment 21
 TEST(March, InvnStopsAfterTheCycleIsRecorded) {
     SmallScene small = over_a_square({{0.2, 0.1, -1.995}});
     small.fix(0, all_fixed);

@@ -169,9 +169,11 @@ TEST(Ties, GoToAnotherSegmentWhenTheSegmentsAreRenumbered) {
     Tool tool = make_tool(Shape::flat, Mesh::quad);
     const Vec3 over_edge(0, 0.9, 0.7);  // between columns 4 and 5 of row 5
     const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
-    const NodeContact first = LedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+    const NodeContact first =
+        PrescribedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
     std::reverse(tool.segment.begin(), tool.segment.end());
-    const NodeContact second = LedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+    const NodeContact second =
+        PrescribedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
     EXPECT_EQ(first.decision.segment, 54);
     EXPECT_EQ(second.decision.segment, 99 - 55) << "the same rule, the other piece";
     EXPECT_EQ(first.force, second.force) << "on one plane both give the same force";
@@ -187,7 +189,7 @@ TEST(Candidates, InAnyOrderGiveTheSameBits) {
             order[s] = static_cast<int>(s);
         const std::vector<int> ascending = order;
         const auto shape = [&](int s) { return tool.shape(s); };
-        const reference::Reach<double> reach{gap, depth, 1.5};
+        const reference::ContactReach<double> reach{gap, depth, 1.5};
         std::mt19937 random(4);
         int contacts = 0;
         for (int i = 0; i < 300; ++i) {

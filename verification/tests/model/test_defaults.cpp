@@ -62,7 +62,7 @@ TEST(Defaults, AWrittenZeroIsADefaultToo) {
     EXPECT_EQ(it.stfac, 1.0);
 }
 
-// @page comment 6, 11
+// @manual comment 6, 11
 TEST(Defaults, AGivenValueStays) {
     const Interface it =
         with({{"VISs", "0.2"}, {"Stfac", "3.0"}, {"Bumult", "4.0"}, {"Stmin", "2.0"}, {"Stmax", "5.0"}});
@@ -74,7 +74,7 @@ TEST(Defaults, AGivenValueStays) {
     EXPECT_EQ(it.stmax.origin.kind, Origin::Kind::deck);
 }
 
-// @page field Bumult; comment 10
+// @manual field Bumult; comment 10
 TEST(Defaults, BumultGrowsWithTheModel) {
     const auto bumult = [](size_t nodes, const std::string& given) {
         Model model = blank_over_tool();
@@ -105,13 +105,13 @@ TEST(Defaults, IdleFieldsTakeTheValueThatDoesNothing) {
     EXPECT_GT(it.drad.origin.line, 0);
 }
 
-// @page field Istf, Stfac
+// @manual field Istf, Stfac
 TEST(Defaults, StfacOfIstf1IsNoStiffness) {
     EXPECT_EQ(with({{"Istf", "1"}}).stfac, 0.0);
     EXPECT_EQ(with({{"Istf", "1"}, {"Stfac", "700.0"}}).stfac, 700.0);
 }
 
-// @page departure D02
+// @manual departure D02
 TEST(Defaults, D02StfacOfIstf1IsOne) {
     const Interface it = with({{"Istf", "1"}}, {Departure::D02});
     EXPECT_EQ(it.stfac, 1.0);
@@ -119,7 +119,7 @@ TEST(Defaults, D02StfacOfIstf1IsOne) {
     EXPECT_EQ(with({{"Istf", "1"}, {"Stfac", "700.0"}}, {Departure::D02}).stfac, 700.0);
 }
 
-// @page departure D03
+// @manual departure D03
 TEST(Defaults, DepthOfIgap0IsReadAndD03IgnoresIt) {
     // Gap 0.6 (mean of 1, 1.4, 1, 1.4 halved), shortest edge 10.
     EXPECT_EQ(with({{"DEPTH", "2.0"}}).depth, 2.0);
@@ -136,7 +136,7 @@ Model with_sensor() {
     return model;
 }
 
-// @page field sens_ID; comment 20
+// @manual field sens_ID; comment 20
 TEST(Defaults, ASensorReplacesTstartAndTstop) {
     const Interface it = with({{"sens_ID", "3"}, {"Tstart", "0.1"}, {"Tstop", "0.2"}}, {}, with_sensor());
     EXPECT_EQ(it.sensor, 0);
@@ -151,7 +151,7 @@ TEST(Defaults, ASensorReplacesTstartAndTstop) {
     EXPECT_EQ(about(problems, "Tstop", warning).size(), 1u);
 }
 
-// @page departure D09
+// @manual departure D09
 TEST(Defaults, D09IgnoresTheSensor) {
     const Interface it = with({{"sens_ID", "3"}, {"Tstart", "0.1"}, {"Tstop", "0.2"}}, {Departure::D09}, with_sensor());
     EXPECT_EQ(it.sensor, -1);
@@ -160,13 +160,13 @@ TEST(Defaults, D09IgnoresTheSensor) {
     EXPECT_NE(it.sens_id.origin.why.find("D09"), std::string::npos);
 }
 
-// @page field Inacti
+// @manual field Inacti
 TEST(Defaults, InactiAsTheDeckSays) {
     for (const int inacti : {0, 1, 3, 5, 6})
         EXPECT_EQ(with({{"Inacti", std::to_string(inacti)}}).inacti, inacti);
 }
 
-// @page departure D20
+// @manual departure D20
 TEST(Defaults, D20TurnsInacti2To4IntoAMessage) {
     for (const std::string inacti : {"2", "3", "4"}) {
         Model model = blank_over_tool();
@@ -195,7 +195,7 @@ Model with_friction(int ifric, int ifiltr, double xfreq) {
     return model;
 }
 
-// @page field fric_ID
+// @manual field fric_ID
 TEST(Defaults, FrictionModelReplacesTheCard) {
     const Interface it = with({{"fric_ID", "9"}, {"Fric", "0.1"}, {"fct_IDF", "44"}}, {}, with_friction(0, 0, 0));
     EXPECT_EQ(it.friction_model, 0);

@@ -25,7 +25,7 @@ std::vector<size_t> faulty(const std::array<double, 6>& c) {
     return ranks;
 }
 
-// @page comment 13
+// @manual comment 13
 TEST(Renard, ConditionsOfThePage) {
     using Ranks = std::vector<size_t>;
     EXPECT_EQ(faulty({0.1, 0.12, 0.2, 0.08, 800, 2500}), Ranks{}) << "that of the measured scene";
@@ -69,7 +69,7 @@ TEST(FrictionRules, TheCardsRenardLawIsChecked) {
     EXPECT_EQ(problems_of(coulomb).error_count(), 0) << "another law has no such conditions";
 }
 
-// @page departure D17
+// @manual departure D17
 TEST(FrictionRules, D17DoesNotCheck) {
     Model model = blank_over_tool();
     model.as_built.set(Departure::D17);
@@ -88,7 +88,7 @@ TEST(FrictionRules, LawsTakeTheirNumbersFromTheCard) {
     EXPECT_EQ(it.c[5], -0.25);
 }
 
-// @page field Xfreq; comment 15; departure D07
+// @manual field Xfreq; comment 15; departure D07
 TEST(FrictionRules, XfreqOfEachFilter) {
     const auto errors = [](const std::string& ifiltr, const std::string& xfreq, bool d07 = false) {
         Model model = blank_over_tool();
@@ -110,7 +110,7 @@ TEST(FrictionRules, XfreqOfEachFilter) {
     EXPECT_EQ(errors("2", "0.0", true), 0) << "no filter";
 }
 
-// @page departure D28
+// @manual departure D28
 TEST(FrictionRules, XfreqThatFrictionModelReplacesIsNotJudgedButForD28) {
     Model model = blank_over_tool();
     model.friction_models.push_back({});
@@ -128,7 +128,7 @@ TEST(FrictionRules, XfreqThatFrictionModelReplacesIsNotJudgedButForD28) {
 
 // ---- fct_IDF
 
-// @page field fct_IDF, AscaleF; comment 12
+// @manual field fct_IDF, AscaleF; comment 12
 TEST(FrictionFunction, IsLinkedAndItsScaleIsOne) {
     Model model = thermal_blank_over_tool();
     Problems problems;

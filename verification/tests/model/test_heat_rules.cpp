@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"far", {{"Frad", "1e-9"}, {"Drad", "10.5"}}, "Drad", "shortest secondary edge 10 mm"}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
-// @page field Ithe, fct_IDK, Fcond
+// @manual field Ithe, fct_IDK, Fcond
 TEST(HeatRules, FunctionsAreLinkedOnlyWithIthe) {
     const Interface it = with(hot({{"fct_IDK", "3"}, {"Fcond", "4"}, {"Dcond", "2.0"}}));
     EXPECT_EQ(it.function_conduction, 0);
@@ -120,7 +120,7 @@ TEST(HeatRules, FunctionsAreLinkedOnlyWithIthe) {
     EXPECT_EQ(cold.fcond, 0);
 }
 
-// @page field Fcond; comment 22
+// @manual field Fcond; comment 22
 TEST(HeatRules, AbscissaeOfFcondAreJudgedToo) {
     Model model = thermal_blank_over_tool();
     model.functions[1].x = {0.0, 1.5};
@@ -129,7 +129,7 @@ TEST(HeatRules, AbscissaeOfFcondAreJudgedToo) {
     EXPECT_EQ(errors[0].value, "4 (X = 1.5)");
 }
 
-// @page field Kthe; departure D36
+// @manual field Kthe; departure D36
 TEST(HeatRules, KtheOfAFunctionIsZeroOnThePageAndOneAsBuilt) {
     EXPECT_EQ(with(hot({{"Kthe", "0.0"}, {"fct_IDK", "3"}})).kthe, 0.0);
     Problems notes;
@@ -149,7 +149,7 @@ TEST(HeatDistances, NothingReachesBeyondTheGapWithoutRadiationAndFcond) {
     EXPECT_EQ(it.drad.origin.kind, Origin::Kind::rule);
 }
 
-// @page field Drad; comment 17
+// @manual field Drad; comment 17
 TEST(HeatDistances, DradDefaultIsTheLargerOfGapAndEdge) {
     EXPECT_EQ(with(hot({{"Frad", "1e-9"}})).drad, 10.0);
     EXPECT_EQ(with(hot({{"Frad", "1e-9"}, {"Gapmin", "12.0"}})).drad, 12.0);
@@ -157,7 +157,7 @@ TEST(HeatDistances, DradDefaultIsTheLargerOfGapAndEdge) {
     EXPECT_EQ(with(hot({{"Frad", "1e-9"}, {"Drad", "0.1"}})).drad, 0.6) << "raised to the largest gap";
 }
 
-// @page field Drad, Dcond; comment 24
+// @manual field Drad, Dcond; comment 24
 TEST(HeatDistances, OfConductionBeyondTheGap) {
     // Fcond without Frad: Drad follows Dcond.
     const Interface it = with(hot({{"Fcond", "4"}, {"Dcond", "3.0"}, {"Drad", "7.0"}}));
@@ -173,7 +173,7 @@ TEST(HeatDistances, OfConductionBeyondTheGap) {
     EXPECT_EQ(drad.dcond, 1.5) << "Dcond 0: Drad";
 }
 
-// @page field Dcond
+// @manual field Dcond
 TEST(HeatDistances, DcondIsAtMostDrad) {
     Problems notes;
     const Interface it = with(hot({{"Frad", "1e-9"}, {"Drad", "2.0"}, {"Fcond", "4"}, {"Dcond", "3.0"}}), {}, notes);
@@ -182,14 +182,14 @@ TEST(HeatDistances, DcondIsAtMostDrad) {
     EXPECT_EQ(about(notes, "Dcond", warning)[0].value, "3 mm");
 }
 
-// @page comment 24; departure D14
+// @manual comment 24; departure D14
 TEST(HeatDistances, D14LeavesDcondAtZero) {
     const Interface it = with(hot({{"Frad", "1e-9"}, {"Fcond", "4"}, {"Drad", "1.5"}}), {Departure::D14});
     EXPECT_EQ(it.dcond, 0.0);
     EXPECT_NE(it.dcond.origin.why.find("D14"), std::string::npos);
 }
 
-// @page departure D11
+// @manual departure D11
 TEST(HeatDistances, D11SetsDradWithoutRadiationToo) {
     EXPECT_EQ(with(hot({}), {Departure::D11}).drad, 10.0);
     EXPECT_EQ(with(hot({{"Drad", "4.0"}}), {Departure::D11}).drad, 10.0) << "Frad 0 puts it to 0 before";
@@ -229,7 +229,7 @@ TEST(ThermalSides, IthewithConstantToolAsksNothingOfIt) {
     EXPECT_TRUE(problems_of(hot({}), cold_tool()).list().empty());
 }
 
-// @page field Ithe_form
+// @manual field Ithe_form
 TEST(ThermalSides, IthFormOneNeedsCapacityOrImposedTemperatureOfTheTool) {
     const Fields fields{{"Ithe", "1"}, {"Ithe_form", "1"}, {"Kthe", "2.0"}};
     Model model = cold_tool();

@@ -174,7 +174,7 @@ TEST(InterfaceRules, ASurfaceWithoutSegmentsIsAnError) {
     EXPECT_NE(errors[0].rule.find("no segments"), std::string::npos);
 }
 
-// @page field IDref
+// @manual field IDref
 TEST(InterfaceRules, IdrefNamesAnInterfaceReadLater) {
     Model model = blank_over_tool();
     Problems problems;

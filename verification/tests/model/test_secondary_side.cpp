@@ -27,7 +27,7 @@ Interface with(const Fields& fields, const std::vector<Departure>& departures = 
     return with(fields, model, problems, departures);
 }
 
-// @page field surf_IDs
+// @manual field surf_IDs
 TEST(SecondarySide, NodesAscendAndEachIsThereOnce) {
     const Interface it = with({});
     EXPECT_EQ(it.secondary.node, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
@@ -112,7 +112,7 @@ TEST(SecondarySide, MassComesFromTheModel) {
 // ---- gaps
 // ----------------------------------------------------------------------------------------------------------------
 
-// @page field Igap, Gapmin; comment 2
+// @manual field Igap, Gapmin; comment 2
 TEST(Gap, Igap0IsGapmin) {
     const Interface it = with({{"Gapmin", "0.3"}});
     for (const double gap : it.secondary.gap)
@@ -131,7 +131,7 @@ Model three_thin_one_thick() {
     return model;
 }
 
-// @page field Gapmin; comment 2
+// @manual field Gapmin; comment 2
 TEST(Gap, GapminDefaultIsHalfTheMeanOfTheShells) {
     const Interface it = with({}, {}, three_thin_one_thick());
     EXPECT_DOUBLE_EQ(it.gapmin, 0.75);
@@ -149,7 +149,7 @@ TEST(Gap, TheMeanOfEqualThicknessesIsThatThickness) {
     EXPECT_EQ(with({}, {Departure::D19}, model).gapmin, 0.05);
 }
 
-// @page departure D19
+// @manual departure D19
 TEST(Gap, D19GapminDefaultIsHalfTheMeanOfTheNodalMaxima) {
     const Interface it = with({}, {Departure::D19}, three_thin_one_thick());
     EXPECT_DOUBLE_EQ(it.gapmin, 0.5 * 17.0 / 9.0);
@@ -166,7 +166,7 @@ TEST(Gap, Igap0WithoutThicknessWarns) {
     EXPECT_EQ(about(problems, "Gapmin", warning).size(), 1u);
 }
 
-// @page eq 1; field Igap; comment 2
+// @manual eq 1; field Igap; comment 2
 TEST(Gap, Igap1IsHalfTheThickness) {
     const Interface it = with({{"Igap", "1"}});
     EXPECT_DOUBLE_EQ(it.secondary.gap[left], 0.5);
@@ -177,7 +177,7 @@ TEST(Gap, Igap1IsHalfTheThickness) {
     EXPECT_EQ(it.gapmin, 0.0) << "no default with Igap 1";
 }
 
-// @page eq 1; field Fscalegap, Gapmin, Gapmax; comment 2
+// @manual eq 1; field Fscalegap, Gapmin, Gapmax; comment 2
 TEST(Gap, Igap1IsScaledAndBounded) {
     // Half thicknesses 0.5 and 0.7 times 2: 1.0 and 1.4; bounds 1.1 and 1.2.
     const Interface it = with({{"Igap", "1"}, {"Fscalegap", "2.0"}, {"Gapmin", "1.1"}, {"Gapmax", "1.2"}});
@@ -186,7 +186,7 @@ TEST(Gap, Igap1IsScaledAndBounded) {
     EXPECT_DOUBLE_EQ(it.smallest_gap_raw, 1.0) << "before the bounds";
 }
 
-// @page field Gapmin, Gapmax; comment 2
+// @manual field Gapmin, Gapmax; comment 2
 TEST(Gap, GapminWinsOverGapmax) {
     const Interface it = with({{"Igap", "1"}, {"Gapmin", "2.0"}, {"Gapmax", "1.0"}});
     for (const double gap : it.secondary.gap)
@@ -204,7 +204,7 @@ TEST(Gap, NodesWithoutShellHaveTheGapmin) {
     EXPECT_EQ(it.smallest_gap_raw, 0.0);
 }
 
-// @page eq 3; comment 2
+// @manual eq 3; comment 2
 TEST(Gap, ContactThicknessReplacesTheThickness) {
     // Part 0 (left) with Thick 3: half of it 1.5; the middle belongs to both parts, the larger holds; right keeps 0.7.
     Model model = blank_over_tool();
@@ -237,7 +237,7 @@ Model tool_has_lowest_ids() {
     return model;
 }
 
-// @page departure D29
+// @manual departure D29
 TEST(Gap, D29TakesThePartOfTheLastSegment) {
     // The lowest four nodes never get a value, so each corner takes the part of the segment at hand: the last one
     // visited wins. Part 0 has 3.0, part 1 has 0: the middle nodes end with quad 2 (row 0), quad 4 (rows 1, 2), that is
@@ -277,7 +277,7 @@ TEST(Gap, D29TriangleRepeatsItsThirdNodeAsTheFourth) {
     EXPECT_EQ(it.secondary.contact_thickness, (std::vector<double>{0, 0, 3, 3, 3, 3}));
 }
 
-// @page departure D33
+// @manual departure D33
 TEST(Gap, D33SearchesWithTheLargestGap) {
     // Gaps 0.5 and 0.7 with Gapmin 0.6: g0 = 0.6, 0.7; G = 0.7; search: max(min(g_s, Gapmax), G) = 0.7 everywhere.
     const Fields fields{{"Igap", "1"}, {"Gapmin", "0.6"}};
@@ -294,7 +294,7 @@ TEST(Gap, D33SearchesWithTheLargestGap) {
 // ---- DEPTH
 // ---------------------------------------------------------------------------------------------------------------
 
-// @page field DEPTH; comment 4
+// @manual field DEPTH; comment 4
 TEST(Depth, DefaultIsTheLargerOfGapAndShortestEdge) {
     EXPECT_EQ(with({}).depth, 10.0);
     EXPECT_EQ(with({{"Gapmin", "12.0"}}).depth, 12.0);

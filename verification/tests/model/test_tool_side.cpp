@@ -18,7 +18,7 @@ Interface resolved(Model& model, Problems& problems, const Fields& fields = {}) 
     return resolve_fields(model, fields, problems);
 }
 
-// @page field IDrby, surf_IDm
+// @manual field IDrby, surf_IDm
 TEST(ToolSide, MainNodesOutsideTheRigidBodyAreOneError) {
     Model model = blank_over_tool();
     model.rigid_bodies[0].nodes = {9};
@@ -58,7 +58,7 @@ Model shared_node() {
     return model;
 }
 
-// @page field surf_IDs, surf_IDm
+// @manual field surf_IDs, surf_IDm
 TEST(ToolSide, ANodeOnBothSidesIsAnError) {
     Model model = shared_node();
     Problems problems;
@@ -69,7 +69,7 @@ TEST(ToolSide, ANodeOnBothSidesIsAnError) {
     EXPECT_EQ(problems.error_count(), 1);
 }
 
-// @page departure D18
+// @manual departure D18
 TEST(ToolSide, D18AcceptsANodeOnBothSides) {
     Model model = shared_node();
     model.as_built.set(Departure::D18);
@@ -79,7 +79,7 @@ TEST(ToolSide, D18AcceptsANodeOnBothSides) {
     EXPECT_EQ(about(problems, "surf_IDs", warning).size(), 1u);
 }
 
-// @page comment 1
+// @manual comment 1
 TEST(ToolSide, SegmentsWithoutElementAreNamed) {
     Model model = blank_over_tool();
     model.surfaces[0].segments[1].shell = -1;
@@ -132,7 +132,7 @@ TEST(ToolSide, TurnsUnlessItsThreeRotationsAreFixed) {
     EXPECT_TRUE(resolved(model, problems).tool_rotates) << "fixed is another node";
 }
 
-// @page field Dampr
+// @manual field Dampr
 TEST(ToolSide, DamprOfAToolThatCannotTurnHasNoEffect) {
     Model model = blank_over_tool();
     model.groups.push_back({8, "", {13}});
@@ -161,7 +161,7 @@ TEST(MainNormals, TowardTheBlankAreFine) {
     EXPECT_TRUE(problems.list().empty());
 }
 
-// @page comment 21
+// @manual comment 21
 TEST(MainNormals, AwayFromTheBlankAreAWarningWithTheRemedy) {
     Model model = blank_over_tool();
     reverse(model);

@@ -36,7 +36,7 @@ TEST_P(BoxTreeOf, FindsWhatAllBoxesSay) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> at(-1.2, 1.2);
     const std::vector<Box> boxes = some_boxes(GetParam(), random);
-    for (const Machine machine : {Machine::two, Machine::four}) {
+    for (const SimdWidth machine : {SimdWidth::two, SimdWidth::four}) {
         if (machine > this_machine()) continue;
         const BoxTree tree(boxes, machine);
         for (int q = 0; q < 60; ++q) {
@@ -148,14 +148,14 @@ TEST(SegmentBoxes, HoldThePrismsAndHardlyMore) {
                 }
                 const Tool tool(position, normal, corner);
                 int exact = 0;
-                for (const Machine machine : {Machine::two, Machine::four, Machine::eight}) {
+                for (const SimdWidth machine : {SimdWidth::two, SimdWidth::four, SimdWidth::eight}) {
                     if (machine > this_machine()) continue;
                     const std::vector<Box> boxes = segment_boxes(tool, limits, machine);
                     for (int s = 0; s < tool.size(); ++s) {
                         Box prisms, grown;
                         bool all_grown = true;
                         for (int k = 1; k <= tool.segment(s).pieces(); ++k) {
-                            Prism one = prism(tool.segment(s), k, limits);
+                            CaptureVolume one = prism(tool.segment(s), k, limits);
                             prisms.extend(one.box().low);
                             prisms.extend(one.box().high);
                             all_grown = all_grown && one.grown;
@@ -191,9 +191,9 @@ TEST(Gather, FillsTheSameRowsOnEachMachine) {
             for (int i = 0; i < count; ++i)
                 place.push_back(place_of(static_cast<int>(random() % static_cast<unsigned>(tool.size())),
                                          triangles ? 1 : 1 + static_cast<int>(random() % 4)));
-            for (const Machine machine : {Machine::two, Machine::four}) {
+            for (const SimdWidth machine : {SimdWidth::two, SimdWidth::four}) {
                 if (machine > this_machine()) continue;
-                auto rows = std::make_unique<LandingRows>();
+                auto rows = std::make_unique<ProjectionBatch>();
                 gather(*rows, tool, place.data(), 0, count, 0.2, machine);
                 for (size_t i = 0; i < place.size(); ++i) {
                     const int segment = segment_of(place[i]);

@@ -19,7 +19,7 @@ std::vector<Vec3> numbered(int count) {
     return vectors;
 }
 
-class Columns : public ::testing::TestWithParam<Machine> {
+class Columns : public ::testing::TestWithParam<SimdWidth> {
   protected:
     void SetUp() override {
         if (GetParam() > this_machine()) GTEST_SKIP() << "this processor has no such registers";
@@ -104,7 +104,7 @@ TEST_P(Columns, BallsHoldWhatEachHolds) {
         EXPECT_GT(times, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Machines, Columns, ::testing::Values(Machine::two, Machine::four, Machine::eight),
+INSTANTIATE_TEST_SUITE_P(Machines, Columns, ::testing::Values(SimdWidth::two, SimdWidth::four, SimdWidth::eight),
                          [](const auto& machine) { return "lanes" + std::to_string(static_cast<int>(machine.param)); });
 
 }  // namespace

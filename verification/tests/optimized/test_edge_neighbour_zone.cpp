@@ -46,8 +46,8 @@ V3 near_side(const SegmentData& s, int piece, int side, std::mt19937_64& random)
     return at(s.node) + at(s.normal) * height(random);
 }
 
-bool same_bits(const Landing& one, const Landing& other) {
-    const auto bits = [](const Landing& l) {
+bool same_bits(const ProjectionResult& one, const ProjectionResult& other) {
+    const auto bits = [](const ProjectionResult& l) {
         return std::array<double, 6>{l.b, l.c, l.lift, l.normal.x, l.normal.y, l.normal.z};
     };
     const auto p = bits(one), q = bits(other);
@@ -56,8 +56,8 @@ bool same_bits(const Landing& one, const Landing& other) {
 
 TEST(Pairs, DecideAsTheTreeDoes) {
     std::mt19937_64 random(3);
-    const Window window{0.1, 0.1, 0};
-    const Rules rules;
+    const ContactReach window{0.1, 0.1, 0};
+    const ProjectionLimits rules;
     for (const Tool& tool : tools()) {
         const Search search(tool, {0.1, 0.1, 0.01, false}, {});
         auto batch = std::make_unique<Search::Batch>();
@@ -107,8 +107,8 @@ TEST(Machines, GiveTheSameBits) {
     const Tool tool = grid(
         6, [](double x, double y) { return 0.3 * (x * x + y * y); }, false, 0.2);
     std::mt19937_64 random(5);
-    const auto fill = [&](LandingRows& rows) {
-        for (int i = 0; i < LandingRows::room; ++i) {
+    const auto fill = [&](ProjectionBatch& rows) {
+        for (int i = 0; i < ProjectionBatch::room; ++i) {
             const int segment = i % tool.size();
             const SegmentData s = tool.segment(segment);
             const V3 y = near_side(s, 1 + i % 4, i % 3, random);
@@ -125,20 +125,20 @@ TEST(Machines, GiveTheSameBits) {
             rows.gap[i] = 0.1;
         }
     };
-    auto first = std::make_unique<LandingRows>();
+    auto first = std::make_unique<ProjectionBatch>();
     fill(*first);
-    const auto two = std::make_unique<LandingRows>(*first);
+    const auto two = std::make_unique<ProjectionBatch>(*first);
     FineKappaRows fine_two{};
     const LandingLimits limits{0.1, 0.1, 0.1, 0, true};
-    plain_landing(*two, 0, LandingRows::room, limits, Machine::two);
-    fine_landing(*two, LandingRows::room, fine_two, Machine::two);
-    for (const Machine machine : {Machine::four, Machine::eight}) {
+    project_double(*two, 0, ProjectionBatch::room, limits, SimdWidth::two);
+    project_double_double(*two, ProjectionBatch::room, fine_two, SimdWidth::two);
+    for (const SimdWidth machine : {SimdWidth::four, SimdWidth::eight}) {
         if (machine > this_machine()) continue;
-        const auto wide = std::make_unique<LandingRows>(*first);
+        const auto wide = std::make_unique<ProjectionBatch>(*first);
         FineKappaRows fine{};
-        plain_landing(*wide, 0, LandingRows::room, limits, machine);
-        fine_landing(*wide, LandingRows::room, fine, machine);
-        EXPECT_EQ(std::memcmp(two.get(), wide.get(), sizeof(LandingRows)), 0) << static_cast<int>(machine);
+        project_double(*wide, 0, ProjectionBatch::room, limits, machine);
+        project_double_double(*wide, ProjectionBatch::room, fine, machine);
+        EXPECT_EQ(std::memcmp(two.get(), wide.get(), sizeof(ProjectionBatch)), 0) << static_cast<int>(machine);
         EXPECT_EQ(std::memcmp(&fine_two, &fine, sizeof(fine)), 0) << static_cast<int>(machine);
     }
 }

@@ -15,7 +15,7 @@ struct Shape {
 struct HostScene {
     SegmentData segment;
     V3 p;
-    Window window;
+    ContactReach window;
 };
 
 HostScene random_scene(std::mt19937_64& random, const Shape& shape) {
@@ -72,7 +72,7 @@ TEST_P(Filter, ProvesOnlyWhatIsTrue) {
             ASSERT_EQ(fast.verdict == Verdict::taken, exact.taken) << "scene " << i << " piece " << k;
             if (!exact.taken) continue;
             ++taken;
-            const Landing &f = fast.landing, &e = exact.landing;
+            const ProjectionResult &f = fast.landing, &e = exact.landing;
             ASSERT_EQ(f.kind, e.kind);
             if (f.side != 0) {
                 ASSERT_EQ(f.side, e.side);
@@ -102,7 +102,7 @@ TEST(FilterRange, GivesUpWhereItsBoundsDoNotHold) {
         s.node = {V3{0, 0, 0}, V3{scale, 0, 0}, V3{scale, scale, 0}, V3{0, scale, 0}};
         s.normal = {V3{0, 0, 1}, V3{0, 0, 1}, V3{0, 0, 1}, V3{0, 0, 1}};
         const V3 p{0.5 * scale, 0.25 * scale, 0.125 * scale};
-        const Window window{0.5 * scale, scale, 0};
+        const ContactReach window{0.5 * scale, scale, 0};
         EXPECT_EQ(filter(p, s, local_segment(s), 1, window, {}).verdict, Verdict::unsure) << scale;
         if (scale > 1e-300) {
             EXPECT_TRUE(exact_landing(p, s, 1, window, {}).taken) << scale;

@@ -35,10 +35,10 @@ class Truth {
   public:
     Truth(const Scene& scene, int interface)
         : model_(*scene.model), card_(model_.interfaces[static_cast<size_t>(interface)]), tool_(model_, card_) {
-        rules_.one_race = model_.as_built.has(Departure::D11);
+        rules_.proximity_competes = model_.as_built.has(Departure::D11);
         rules_.lift_leaning = model_.as_built.has(Departure::D35);
         if (card_.ithe != 0) {
-            if (card_.frad > 0 || rules_.one_race) proximity_ = card_.drad;
+            if (card_.frad > 0 || rules_.proximity_competes) proximity_ = card_.drad;
             if (card_.function_distance >= 0) proximity_ = std::max(proximity_, double(card_.dcond));
         }
         boxes_.on = model_.as_built.has(Departure::D34);
@@ -47,7 +47,7 @@ class Truth {
             boxes_.axes = reference::reach_box_axes(model_.rigid_bodies[static_cast<size_t>(card_.tool)], true);
     }
     bool agrees(const Decision& d, const Vec3& y, double gap) const {
-        const optimized::Window window{gap, card_.depth, proximity_};
+        const optimized::ContactReach window{gap, card_.depth, proximity_};
         const auto truth = optimized::testing::exhaustive(
             tool_, optimized::from(y), window, rules_,
             [&](const optimized::SegmentData& s) { return boxes_.holds(optimized::from(y), s, window); });
@@ -59,7 +59,7 @@ class Truth {
     const ContactModel& model_;
     const Interface& card_;
     optimized::Tool tool_;
-    optimized::Rules rules_;
+    optimized::ProjectionLimits rules_;
     optimized::ReachBoxRule boxes_;
     double proximity_ = 0;
 };

@@ -28,7 +28,7 @@ void put(const std::vector<V3>& y, double gap, Search::Batch& batch, std::vector
 
 TEST(Balls, HoldWhatIsRetained) {
     std::mt19937_64 random(6);
-    const Rules rules;
+    const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>();
     int steady = 0, quiet = 0, crossed = 0;
     long pairs = 0;
@@ -52,7 +52,7 @@ TEST(Balls, HoldWhatIsRetained) {
                 if (one.radius == 0) continue;
                 ++(one.radius < 0 ? steady : quiet);
                 // Another gap than that of the node: what is remembered does not hang on it.
-                const Window window{reach * (round % 2 == 0 ? 1.0 : 0.7), reach, 0};
+                const ContactReach window{reach * (round % 2 == 0 ? 1.0 : 0.7), reach, 0};
                 for (int k = 0; k < 24; ++k) {
                     const V3 there = one.from + direction(random) * (0.999999 * std::abs(double(one.radius)));
                     ASSERT_TRUE(one.within(there));
@@ -80,7 +80,7 @@ TEST(Balls, HoldWhatIsRetained) {
 
 TEST(Balls, TellWhoIsHeldWithoutAProjection) {
     std::mt19937_64 random(16);
-    const Rules rules;
+    const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>();
     batch->cores = false;
     int held = 0, nearly_out = 0;
@@ -108,7 +108,7 @@ TEST(Balls, TellWhoIsHeldWithoutAProjection) {
                     ASSERT_EQ(place_of(found.segment, found.piece), one.place);
                     ASSERT_EQ(found.landing.side, one.side());
                     ASSERT_EQ(found.landing.kind, Kind::contact);
-                    const Landing& l = found.landing;
+                    const ProjectionResult& l = found.landing;
                     const double least = std::min(1 - l.b - l.c, std::min(l.b, l.c));
                     nearly_out += least < 1e-3 || std::abs(l.lift) < 1e-3 * reach ||
                                   std::abs(l.lift) * norm(l.normal) > 0.98 * (l.side > 0 ? gap : depth);
@@ -122,7 +122,7 @@ TEST(Balls, TellWhoIsHeldWithoutAProjection) {
 
 TEST(Balls, SelectWhatTheSearchFindsAlongAWay) {
     std::mt19937_64 random(17);
-    const Rules rules;
+    const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>(), other = std::make_unique<Search::Batch>();
     long steady = 0;
     for (const Tool& tool : ball_tools()) {
@@ -219,8 +219,8 @@ TEST(ManyAtOnce, ClipWeightsAboveOne) {
     }
 }
 
-TEST(AskedAgain, WantsCoresWhenManyAreAskedAgain) {
-    AskedAgain judge;
+TEST(ExclusiveRegionPolicy, WantsCoresWhenManyAreAskedAgain) {
+    ExclusiveRegionPolicy judge;
     PathTally all, many, few;
     all.searched = 1000;
     many.searched = 100;
@@ -233,11 +233,11 @@ TEST(AskedAgain, WantsCoresWhenManyAreAskedAgain) {
     for (int c = 0; c < 24; ++c)
         judge.add(few, 1000, 2000);
     EXPECT_TRUE(judge.often()) << "cores that are there are used";
-    AskedAgain other;
+    ExclusiveRegionPolicy other;
     for (int c = 0; c < 24; ++c)
         other.add(few, 1000, 2000);
     EXPECT_FALSE(other.often());
-    AskedAgain wide;
+    ExclusiveRegionPolicy wide;
     for (int c = 0; c < 24; ++c)
         wide.add(many, 1000, 10000);
     EXPECT_FALSE(wide.often()) << "few nodes pass each sub-triangle";
@@ -261,7 +261,7 @@ TEST(ManyAtOnce, AreSearchedForAsTheExhaustiveSearchDoes) {
     std::array<int, 4> settled{};
     for (const Tool& tool : ball_tools()) {
         for (const bool lift : {false, true}) {
-            Rules rules;
+            ProjectionLimits rules;
             rules.lift_leaning = lift;
             const Search search(tool, {reach, reach, 0.01, lift}, {});
             std::vector<V3> y;

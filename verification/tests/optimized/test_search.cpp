@@ -52,9 +52,9 @@ TEST_P(SearchOf, EqualsTheExhaustiveOneWhateverTheMotion) {
     int certified = 0, quiet = 0, taken = 0;
     for (const bool lift : {false, true}) {
         for (const double proximity : {0.0, 0.3}) {
-            Rules rules;
+            ProjectionLimits rules;
             rules.lift_leaning = lift;
-            rules.one_race = lift;
+            rules.proximity_competes = lift;
             const Limits limits{std::max(0.2, proximity), 0.25, 0.01, lift};
             const Search search(tool, limits, {});
             for (int path = 0; path < 8; ++path) {
@@ -62,7 +62,7 @@ TEST_P(SearchOf, EqualsTheExhaustiveOneWhateverTheMotion) {
                 Memory memory;
                 V3 y{1.2 * unit(random), 1.2 * unit(random), unit(random)};
                 V3 step{0.01 * unit(random), 0.01 * unit(random), 0.01 * unit(random)};
-                const Window window{0.2 * std::abs(unit(random)), 0.25, proximity};
+                const ContactReach window{0.2 * std::abs(unit(random)), 0.25, proximity};
                 for (int i = 0; i < 40; ++i) {
                     if (i % 16 == 15) y = V3{unit(random), unit(random), 0.5 * unit(random)};
                     y = y + step;
@@ -75,8 +75,8 @@ TEST_P(SearchOf, EqualsTheExhaustiveOneWhateverTheMotion) {
                     if (found.retained.segment >= 0) {
                         // A node without a past has the same bits.
                         Memory fresh;
-                        const Landing &one = found.retained.landing,
-                                      &other = search.find(y, window, rules, fresh).retained.landing;
+                        const ProjectionResult &one = found.retained.landing,
+                                               &other = search.find(y, window, rules, fresh).retained.landing;
                         ASSERT_EQ(one.b, other.b);
                         ASSERT_EQ(one.c, other.c);
                         ASSERT_EQ(one.lift, other.lift);

@@ -74,8 +74,8 @@ TEST(Registers, SameBitsForAnyWidth) {
         const HostScene scene = scene_of(name);
         const std::vector<double> usual = history(scene, 1);
         ASSERT_FALSE(usual.empty());
-        for (const optimized::Machine machine : {optimized::Machine::four, optimized::Machine::two}) {
-            const optimized::Narrowed narrow(machine);
+        for (const optimized::SimdWidth machine : {optimized::SimdWidth::four, optimized::SimdWidth::two}) {
+            const optimized::SimdWidthCap narrow(machine);
             const std::vector<double> numbers = history(scene, 1);
             ASSERT_EQ(numbers.size(), usual.size());
             EXPECT_EQ(std::memcmp(numbers.data(), usual.data(), usual.size() * sizeof(double)), 0)

@@ -11,7 +11,7 @@ using testing::exhaustive;
 using testing::grid;
 using testing::same;
 
-Retained decide(const Tool& tool, const V3& p, const Window& window) {
+Retained decide(const Tool& tool, const V3& p, const ContactReach& window) {
     Decider decider(p, window, {});
     for (int s = 0; s < tool.size(); ++s)
         decider.add(s, tool.segment(s));
@@ -25,7 +25,7 @@ struct Count {
 /// Nodes at multiples of `part` of an edge over a grid of 4 x 4 quads (edges 1/2), and a little beside them.
 Count compare(const Tool& tool, double part, double height) {
     Count count;
-    const Window window{0.25, 0.25, 0};
+    const ContactReach window{0.25, 0.25, 0};
     for (double x = -1; x <= 1; x += part) {
         for (double y = -1; y <= 1; y += part) {
             for (const double beside : {0.0, 1.0 / 1024}) {
@@ -77,7 +77,7 @@ Tool slope(int n, double rise) {
 constexpr std::array<std::array<double, 2>, 4> spots{{{0.5, 0.5}, {0, 0}, {0.5, 0}, {0.25, 0.25}}};
 
 TEST(Ties, OverCentresCornersEdgesAndDiagonalsAreProven) {
-    const Window window{0.25, 0.25, 0};
+    const ContactReach window{0.25, 0.25, 0};
     for (const double rise : {0.0, 0.5}) {
         const Tool tool = slope(4, rise);
         // 0.1 keeps P - V from being a double.
@@ -97,7 +97,7 @@ TEST(Ties, OverCentresCornersEdgesAndDiagonalsAreProven) {
 }
 
 TEST(Ties, AreFoundAgainWithoutTheTree) {
-    const Window window{0.25, 0.25, 0};
+    const ContactReach window{0.25, 0.25, 0};
     for (const double rise : {0.0, 0.5}) {
         const Tool tool = slope(4, rise);
         const Search search(tool, {0.25, 0.25, 0.01, false}, {});
@@ -118,7 +118,7 @@ TEST(Ties, AreFoundAgainWithoutTheTree) {
 }
 
 TEST(Ties, ARememberedPlaceThatDoesNotLeadIsLeft) {
-    const Window window{0.25, 0.25, 0};
+    const ContactReach window{0.25, 0.25, 0};
     const Tool tool = slope(4, 0);
     const Search search(tool, {0.25, 0.25, 0.01, false}, {});
     for (const auto& [u, v] : spots) {

@@ -40,7 +40,7 @@ inline Tool grid(int n, const std::function<double(double, double)>& z, bool tri
 
 /// Every sub-triangle of the tool in whole numbers, without filter and search.
 inline Retained exhaustive(
-    const Tool& tool, const V3& p, const Window& window, const Rules& rules,
+    const Tool& tool, const V3& p, const ContactReach& window, const ProjectionLimits& rules,
     const std::function<bool(const SegmentData&)>& competes = [](const SegmentData&) { return true; }) {
     Retained best;
     ExactLanding least;
@@ -50,7 +50,8 @@ inline Retained exhaustive(
         for (int k = 1; k <= segment.pieces(); ++k) {
             ExactLanding one = exact_landing(p, segment, k, window, rules);
             if (!one.taken) continue;
-            const bool other_kind = best.segment >= 0 && one.landing.kind != least.landing.kind && !rules.one_race;
+            const bool other_kind =
+                best.segment >= 0 && one.landing.kind != least.landing.kind && !rules.proximity_competes;
             const bool first =
                 best.segment < 0 || (other_kind ? one.landing.kind == Kind::contact : compare_kappa(one, least) < 0);
             if (!first) continue;

@@ -18,15 +18,15 @@ TEST(Rates, OfAFlatTriangleAreOneOverItsWidth) {
     // Right-angled, sides 3 and 4: the width is the height over the side of 5, 12 / 5.
     const std::vector<V3> x{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
     const Tool tool(x, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 2}});
-    EXPECT_NEAR(double(piece_bounds(tool, 0.5).rate[0]), 5.0 / 12, 1e-5);
+    EXPECT_NEAR(double(lipschitz_bounds(tool, 0.5).rate[0]), 5.0 / 12, 1e-5);
 }
 
 TEST(Rates, AreTheSameBitsOnEachMachine) {
     for (const Tool& tool : ball_tools()) {
-        const PieceBounds two = piece_bounds(tool, reach, Machine::two);
-        for (const Machine machine : {Machine::four, Machine::eight}) {
+        const LipschitzBounds two = lipschitz_bounds(tool, reach, SimdWidth::two);
+        for (const SimdWidth machine : {SimdWidth::four, SimdWidth::eight}) {
             if (machine > this_machine()) continue;
-            EXPECT_TRUE(piece_bounds(tool, reach, machine) == two);
+            EXPECT_TRUE(lipschitz_bounds(tool, reach, machine) == two);
         }
     }
 }
@@ -34,10 +34,10 @@ TEST(Rates, AreTheSameBitsOnEachMachine) {
 TEST(Rates, BoundHowWeightsChange) {
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> way(0, 1e-3);
-    auto rows = std::make_unique<LandingRows>();
+    auto rows = std::make_unique<ProjectionBatch>();
     double nearest = 0;  // share of the bound that is used
     for (const Tool& tool : ball_tools()) {
-        const std::vector<float> rates = piece_bounds(tool, reach).rate;
+        const std::vector<float> rates = lipschitz_bounds(tool, reach).rate;
         for (int round = 0; round < 2000; ++round) {
             const V3 from = somewhere_over(tool, random), to = from + direction(random) * way(random);
             const int place = place_of(static_cast<int>(random() % static_cast<unsigned>(tool.size())), 1);
@@ -47,7 +47,7 @@ TEST(Rates, BoundHowWeightsChange) {
                 for (int a = 0; a < 3; ++a)
                     rows->y[a][i] = y[i][a];
             gather(*rows, tool, places.data(), 0, 2, reach);
-            plain_landing(*rows, 0, 2, {reach, reach, reach, 0, false});
+            project_double(*rows, 0, 2, {reach, reach, reach, 0, false});
             const double rate = double(rates[static_cast<size_t>(place)]);
             const auto weights = [&](size_t i) {
                 return std::array<double, 6>{rows->weight[0][i], rows->weight[1][i], rows->weight[2][i],
@@ -72,12 +72,12 @@ TEST(Rates, BoundHowWeightsChange) {
 TEST(Rates, BoundHowFarKappaIsOff) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
-    auto rows = std::make_unique<LandingRows>();
+    auto rows = std::make_unique<ProjectionBatch>();
     double nearest = 0;
     int judged = 0;
     for (const Tool& tool : ball_tools()) {
         for (const double growth : {1e-4, reach}) {
-            const PieceBounds bounds = piece_bounds(tool, growth);
+            const LipschitzBounds bounds = lipschitz_bounds(tool, growth);
             for (int round = 0; round < 4000; ++round) {
                 const int segment = static_cast<int>(random() % static_cast<unsigned>(tool.size()));
                 const SegmentData data = tool.segment(segment);
@@ -91,7 +91,7 @@ TEST(Rates, BoundHowFarKappaIsOff) {
                 for (int a = 0; a < 3; ++a)
                     rows->y[a][0] = y[a];
                 gather(*rows, tool, &place, 0, 1, growth);
-                plain_landing(*rows, 0, 1, {growth, growth, growth, 0, false});
+                project_double(*rows, 0, 1, {growth, growth, growth, 0, false});
                 FineKappa fine;
                 if (fine_filter(y, data, piece, {growth, growth, 0}, {}, fine).verdict != Verdict::taken) continue;
                 ++judged;

@@ -14,8 +14,8 @@ void add(std::vector<double>& numbers, const Vec3& v) {
     numbers.insert(numbers.end(), v.data(), v.data() + 3);
 }
 
-std::vector<double> run(const BenchScene& scene, optimized::Machine machine) {
-    const optimized::Narrowed narrow(machine);
+std::vector<double> run(const BenchScene& scene, optimized::SimdWidth machine) {
+    const optimized::SimdWidthCap narrow(machine);
     optimized::Contact whole(scene.scene, scene.interface), lean(scene.scene, scene.interface);
     std::vector<double> numbers;
     for (int cycle = 0; cycle < 12; ++cycle) {
@@ -46,8 +46,8 @@ TEST(Registers, OfAnyWidthGiveTheSameBits) {
     // 121, 196 and 49 nodes: the last part of a batch ends within a register.
     for (const BenchScene& scene :
          {bowl_bench(10, 28), bowl_bench(13, 20), ties_bench(6), pan_bench("pan", 900, 300, 1)}) {
-        const std::vector<double> eight = run(scene, optimized::Machine::eight);
-        for (const optimized::Machine machine : {optimized::Machine::four, optimized::Machine::two}) {
+        const std::vector<double> eight = run(scene, optimized::SimdWidth::eight);
+        for (const optimized::SimdWidth machine : {optimized::SimdWidth::four, optimized::SimdWidth::two}) {
             const std::vector<double> numbers = run(scene, machine);
             ASSERT_EQ(numbers.size(), eight.size());
             EXPECT_EQ(std::memcmp(numbers.data(), eight.data(), eight.size() * sizeof(double)), 0)
