@@ -5,15 +5,15 @@ namespace type21 {
 namespace {
 
 constexpr std::string_view not_reproduced =
-    "not reproduced: the measured result hangs on memory, on the model beside the interface or on chance";
+    "not reproduced: the measured result depends on undefined memory, on other parts of the model, or on chance";
 
 std::vector<DepartureRow> make_table() {
     using enum Departure;
-    const auto yes = [](Departure id, std::string_view page, std::string_view built) {
-        return DepartureRow{id, page, built, true, ""};
+    const auto yes = [](Departure id, std::string_view documented, std::string_view built) {
+        return DepartureRow{id, documented, built, true, ""};
     };
-    const auto no = [](Departure id, std::string_view page, std::string_view built, std::string_view reason) {
-        return DepartureRow{id, page, built, false, reason};
+    const auto no = [](Departure id, std::string_view documented, std::string_view built, std::string_view reason) {
+        return DepartureRow{id, documented, built, false, reason};
     };
     return {
         yes(D01, "Stmin and Stmax bound the nodal stiffness", "Stmin and Stmax are read and never applied"),
@@ -31,7 +31,7 @@ std::vector<DepartureRow> make_table() {
         yes(D09, "sens_ID replaces Tstart and Tstop", "the sensor is ignored, Tstart and Tstop stay"),
         yes(D10, "Ifric 4 decays from Fric to C1", "the sign is reversed: 2 C1 - Fric at rest"),
         yes(D11, "contact comes before proximity, proximity gives no force",
-            "one race of both; a node near the tool may get a force from a proximity"),
+            "both compete in one selection; a proximity may give a node near the tool a force"),
         yes(D12, "the contact normal is the interpolated normal",
             "the contact normal is the direction from the contact point to the node: noise near the surface"),
         yes(D13, "tool damping uses the sum of k", "tool damping uses the sum of k + C/dt"),
@@ -43,7 +43,7 @@ std::vector<DepartureRow> make_table() {
         yes(D19, "Gapmin default: half of the mean thickness of the secondary shells",
             "half of the mean over the secondary nodes of the thickest shell at each"),
         yes(D20, "Inacti 3 moves the node out; 2 and 4 are errors", "2, 3 and 4 give a message and act as 0"),
-        no(D21, "Ifric 1 to 4 of the card use C1..C6", "the coefficients are read from memory that is not theirs",
+        no(D21, "Ifric 1 to 4 of the card use C1..C6", "the coefficients are read from the wrong place in memory",
            not_reproduced),
         no(D22, "nodal areas are computed once over the surface's own elements",
            "a solid in a thermal model zeroes them, a repeated sort multiplies them", not_reproduced),
@@ -52,8 +52,8 @@ std::vector<DepartureRow> make_table() {
         yes(D24, "tool orientation and position are of the same time", "the orientation is one step older"),
         yes(D25, "friction increment with the step that led here, impulses with the mean of both steps",
             "friction increment and contact impulses use the previous cycle's mean step"),
-        yes(D26, "Inacti 6 holds for every impact", "it becomes plain when nothing penetrates at time 0"),
-        no(D27, "Igap other than 0, 1, 2 is an error", "it is accepted, with a result that nothing explains",
+        yes(D26, "Inacti 6 applies to every impact", "Inacti 6 acts as 0 when nothing penetrates at time 0"),
+        no(D27, "Igap other than 0, 1, 2 is an error", "it is accepted; the result follows no known rule",
            not_reproduced),
         yes(D28, "/FRICTION filters with its own Xfreq", "the filter factor is that of the interface card"),
         yes(D29, "contact thickness of a node: the largest of its parts",

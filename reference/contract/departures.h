@@ -1,5 +1,5 @@
-/// @file Departures: where the public OpenRadioss does something else than the page says.
-/// Each is a switch, off by default; formulation.md section 12 lists them.
+/// @file Departures: where the public OpenRadioss does something else than the manual page says.
+/// Each is a switch, off by default. Formulation 12 lists them.
 #pragma once
 
 #include <bitset>
@@ -17,13 +17,13 @@ enum class Departure : int {
 };
 // clang-format on
 
-/// One row of the table: what the page asks for and what is built.
+/// One row of the table: the behaviour as documented and as built.
 struct DepartureRow {
     Departure id;
-    std::string_view page;
-    std::string_view as_built;
-    bool available;           ///< can be switched on in this program
-    std::string_view reason;  ///< why not, where it is not available
+    std::string_view documented;  ///< what the manual page says
+    std::string_view as_built;    ///< what the public OpenRadioss does
+    bool available;               ///< can be switched on in this program
+    std::string_view reason;      ///< why not, where it is not available
 };
 
 const std::vector<DepartureRow>& departures();

@@ -17,7 +17,7 @@ nlohmann::ordered_json departures_json() {
     for (const DepartureRow& row : departures())
         out.push_back({{"id", name(row.id)},
                        {"available", row.available},
-                       {"page", row.page},
+                       {"documented", row.documented},
                        {"as_built", row.as_built},
                        {"reason", row.reason}});
     return out;
@@ -27,15 +27,16 @@ nlohmann::ordered_json departures_json() {
 
 void add_departures(CLI::App& app, int&) {
     CLI::App* verb = app.add_subcommand(
-        "departures", "Where the public OpenRadioss does something else than the page: what --as-built takes");
+        "departures",
+        "List the differences between the manual page and the public OpenRadioss, which --as-built switches on");
     const auto json = std::make_shared<std::string>();
-    verb->add_option("--json", *json, "write the same as JSON to this file");
+    verb->add_option("--json", *json, "also write the list to this JSON file");
     verb->callback([json] {
         if (!json->empty()) write_report(*json, departures_json());
         for (const DepartureRow& row : departures()) {
-            fmt::print("{}  {}\n     page      {}\n     as built  {}\n", name(row.id),
-                       row.available ? "available" : "not available", row.page, row.as_built);
-            if (!row.reason.empty()) fmt::print("     because   {}\n", row.reason);
+            fmt::print("{}  {}\n     documented  {}\n     as built    {}\n", name(row.id),
+                       row.available ? "available" : "not available", row.documented, row.as_built);
+            if (!row.reason.empty()) fmt::print("     because     {}\n", row.reason);
         }
         fmt::print("--as-built all switches on: {}\n", AsBuilt::all().text());
     });

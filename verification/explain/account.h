@@ -9,7 +9,7 @@
 
 namespace type21 {
 
-/// "F = k p = 252000 x 0.0123 = 3099.6 N   page, equation (5)". Parts that a line does not have are empty.
+/// "F = k p = 252000 x 0.0123 = 3099.6 N   manual page, equation (5)". Parts that a line does not have are empty.
 struct AccountLine {
     std::string symbol;
     std::string formula;  ///< in symbols

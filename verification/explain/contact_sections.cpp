@@ -1,4 +1,4 @@
-/// @file The retained impact, where it lies, and what of the penetration is forgiven (formulation 4 to 6).
+/// @file The retained impact, where it lies, and what of the penetration is forgiven (Formulation chapters 4 to 6).
 #include <fmt/format.h>
 
 #include "reference/exact/staged_impact.h"
@@ -53,7 +53,7 @@ AccountSection impact_section(const AccountInput& input, const NodeAccount& acco
     AccountSection section{"retained impact", {}};
     const std::string length = input.unit(dim::length);
     if (decision.kind == Kind::none) {
-        section.say("", no_impact(input, account.candidates), "formulation 4");
+        section.say("", no_impact(input, account.candidates), "Formulation 4, step 5");
         return section;
     }
     std::string nodes;
@@ -63,14 +63,14 @@ AccountSection impact_section(const AccountInput& input, const NodeAccount& acco
     section.say("segment",
                 fmt::format("{} (nodes {}), k = {}, {}, {}", decision.segment + 1, nodes, decision.triangle,
                             decision.kind == Kind::contact ? "contact" : "proximity", side_text(decision.side)),
-                "formulation 3 and 4");
+                "Formulation 4, step 5");
     const Impact<double>& ours = account.candidates.retained;
     const bool same =
         ours.segment == decision.segment && ours.triangle == decision.triangle && ours.kind == decision.kind;
-    section.say("why", same ? account.candidates.why : by_exact_arithmetic(ours), "formulation 4");
-    section.say("settled by", settled_text(input, account, length), "formulation 10");
+    section.say("why", same ? account.candidates.why : by_exact_arithmetic(ours), "Formulation 4, step 3");
+    section.say("settled by", settled_text(input, account, length), "Formulation 10, step 4");
     section.say("a, b, c", fmt::format("{:.9g}, {:.9g}, {:.9g}", 1.0 - decision.b - decision.c, decision.b, decision.c),
-                "formulation 3, step 3");
+                "Formulation 3, step 3");
     return section;
 }
 
@@ -78,18 +78,18 @@ AccountSection geometry_section(const AccountInput& input, const NodeContact& no
     const std::string length = input.unit(dim::length);
     AccountSection section{"contact geometry", {}};
     const bool d12 = input.model().as_built.has(Departure::D12);
-    section.add("X", "a A + b B + c C", "", node.point, length, "formulation 5");
+    section.add("X", "a A + b B + c C", "", node.point, length, "Formulation 5, step 1");
     section.add("nu", d12 ? "(x - X)/|x - X|, outward" : "n/|n|, outward", "", node.normal, "",
-                d12 ? "D12" : "formulation 5");
+                d12 ? "D12" : "Formulation 5, step 2");
     section.add("delta", d12 ? "|x - X|, negative behind" : "H |n|/<n,N>, along nu", "", node.distance, length,
-                d12 ? "D12" : "formulation 5");
+                d12 ? "D12" : "Formulation 5, step 3");
     section.add("p_g", "max(0, g - delta)", fmt::format("max(0, {} - {})", digits(node.gap), digits(node.distance)),
-                node.geometric_penetration, length, "formulation 5");
+                node.geometric_penetration, length, "Formulation 5, step 4");
     if (node.geometric_penetration > 0) return section;
     if (node.decision.kind == Kind::proximity) {
-        section.say("", "near, not in contact: no force, only heat", "formulation 4");
+        section.say("", "near, not in contact: no force, only heat", "Formulation 4, step 2");
     } else {
-        section.say("", "no penetration: no force, the history is dropped", "formulation 6");
+        section.say("", "no penetration: no force, the history is dropped", "Formulation 6, step 5");
     }
     return section;
 }
@@ -102,10 +102,10 @@ AccountSection offset_section(const AccountInput& input, const NodeContact& node
     const bool time_zero = input.motion.time <= 0;
     const double before = replay.offset_before;
     if (replay.cycles == 1 && !time_zero) {
-        section.add("P0 old", "p_g, first impact", "", before, length, "formulation 6");
+        section.add("P0 old", "p_g, first impact", "", before, length, "Formulation 6, step 2");
     } else if (time_zero && (inacti == 5 || six)) {
         section.add("P0 old", six ? "p_g + 0.05 (g + DEPTH - p_g)" : "p_g", "", before, length,
-                    fmt::format("Inacti {}, page, comment 9", inacti));
+                    fmt::format("Inacti {}, manual page, comment 9", inacti));
     } else {
         section.add("P0 old", time_zero ? "0" : "", "", before, length, time_zero ? "Inacti 0" : "of the cycle before");
     }
@@ -114,11 +114,11 @@ AccountSection offset_section(const AccountInput& input, const NodeContact& node
         six ? fmt::format("min({0}, 0.95 x {0} + 0.05 x ({1} + 0.05 x |{2} - {1}|))", digits(before),
                           digits(node.geometric_penetration), digits(node.gap))
             : fmt::format("min({0}, 0.95 x {0} + 0.05 x {1})", digits(before), digits(node.geometric_penetration)),
-        node.offset, length, "formulation 6");
+        node.offset, length, "Formulation 6, step 3");
     section.add("p", "max(0, p_g - P0)",
                 fmt::format("max(0, {} - {})", digits(node.geometric_penetration), digits(node.offset)),
-                node.penetration, length, "formulation 6");
-    if (!replay.acts) section.say("", "p = 0: stiffness and damping are zero", "formulation 6");
+                node.penetration, length, "Formulation 6, step 3");
+    if (!replay.acts) section.say("", "p = 0: stiffness and damping are zero", "Formulation 6, step 4");
     return section;
 }
 

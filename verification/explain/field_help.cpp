@@ -124,7 +124,7 @@ std::string field_text(const FieldHelp& help, std::span<const CaseCover> cases) 
     out += entry("default", default_words(field));
     out += entry("rule", help.rule);
     out += entry("source", help.source);
-    if (help.departures.empty()) out += entry("as built", "as the page");
+    if (help.departures.empty()) out += entry("as built", "as documented");
     bool first = true;
     for (const Departure departure : help.departures) {
         out += entry(first ? "as built" : "", departure_words(departure));
@@ -136,7 +136,7 @@ std::string field_text(const FieldHelp& help, std::span<const CaseCover> cases) 
 std::string departure_text(const DepartureRow& row, std::span<const CaseCover> cases) {
     std::string out =
         entry(name(row.id), row.available ? "can be switched on with --as-built" : "cannot be switched on");
-    out += entry("page", row.page) + entry("as built", row.as_built);
+    out += entry("documented", row.documented) + entry("as built", row.as_built);
     if (!row.reason.empty()) out += entry("because", row.reason);
     std::string fields;
     for (const FieldHelp& help : field_help())

@@ -16,7 +16,7 @@ struct FieldHelp {
     std::string_view name;  ///< as in interface_fields()
     std::string_view meaning;
     std::string_view rule;    ///< values, and what follows from them
-    std::string_view source;  ///< equation and comment of the page, section of the formulation
+    std::string_view source;  ///< equation and comment of the manual page, step of the formulation
     std::vector<Departure> departures;
 };
 

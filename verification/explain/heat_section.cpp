@@ -1,4 +1,4 @@
-/// @file Heat of the node (formulation 9).
+/// @file Heat of the node (Formulation chapter 9).
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
     AccountSection section{"heat", {}};
     section.add("T_s", "", "", blank, kelvin, "of the node");
     section.add("T_m", exchange.tool_has_temperatures() ? "a T_A + b T_B + c T_C" : "Tint", "", tool, kelvin,
-                "page, comment 16");
+                "manual page, comment 16");
     section.add("d", "max(delta, 0)", "", d, input.unit(dim::length),
                 zones.conduction ? "<= g: conduction"
                 : zones.any()    ? fmt::format("> g:{}{}", zones.distance ? " conduction over the distance" : "",
@@ -33,25 +33,25 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
     const double conductivity = exchange.conductivity(input.node).at(blank);
     const std::string conductance = input.unit(dim::conductance);
     if (zones.conduction || zones.distance)
-        section.add("k_s", "A_S + B_S T_s", "", conductivity, input.unit({1, 1, -3, -1}), "formulation 9");
+        section.add("k_s", "A_S + B_S T_s", "", conductivity, input.unit({1, 1, -3, -1}), "Formulation 9, step 7");
     const double pressure = zones.conduction && area > 0 ? std::abs(node.normal_force) / area : 0.0;
     if (zones.conduction) {
         section.add("K", card.function_conduction < 0 ? "Kthe" : "Kthe f_K(AscaleK |F_n|/A)", "",
                     exchange.exchange(pressure), conductance,
-                    card.function_conduction < 0 ? "page, equation (14)" : "page, equation (15)");
+                    card.function_conduction < 0 ? "manual page, equation (14)" : "manual page, equation (15)");
         section.add("A/(d/k_s + 1/K)", "",
                     fmt::format("{}/({}/{} + 1/{})", digits(area), digits(d), digits(conductivity),
                                 digits(exchange.exchange(pressure))),
-                    node.conductance, input.unit({1, 2, -3, -1}), "page, equation (14)");
+                    node.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (14)");
     } else if (zones.distance) {
         const Function& f = input.model().functions[static_cast<size_t>(card.function_distance)];
         const double share = (d - node.gap) / (card.dcond - node.gap);
         section.add("f", "f_cond((d - g)/(Dcond - g))", fmt::format("f_cond({})", digits(share)), f(share), "",
-                    "page, equation (20)");
+                    "manual page, equation (20)");
         section.add("A/(g/k_s + 1/(K f))", "",
                     fmt::format("{}/({}/{} + 1/({} x {}))", digits(area), digits(node.gap), digits(conductivity),
                                 digits(exchange.exchange(0.0)), digits(f(share))),
-                    node.conductance, input.unit({1, 2, -3, -1}), "page, equation (20)");
+                    node.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (20)");
     }
     const double step = input.motion.step;
     const HeatFlow flow = exchange.flow(input.node, {node.distance, node.gap, node.normal_force, step, blank, tool});
@@ -59,16 +59,16 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
         section.add("radiated", "Frad A (T_m^4 - T_s^4) dt",
                     fmt::format("{} x {} x ({}^4 - {}^4) x {}", digits(card.frad), digits(area), digits(tool),
                                 digits(blank), digits(step)),
-                    area * radiated(card.frad, tool, blank) * step, energy, "page, equation (17)");
+                    area * radiated(card.frad, tool, blank) * step, energy, "manual page, equation (17)");
     if (zones.conduction || zones.distance)
         section.add(
             "conducted", "conductance x (T_m - T_s) dt",
             fmt::format("{} x ({} - {}) x {}", digits(flow.conductance), digits(tool), digits(blank), digits(step)),
             flow.conductance * (tool - blank) * step, energy,
-            zones.conduction ? "page, equation (14)" : "page, equation (20)");
-    section.add("Phi", "from the tool in this cycle", "", flow.heat, energy, "formulation 9");
-    section.add("Fheat q", "friction heat", "", node.friction_heat, energy, "page, equation (19)");
-    section.add("to node", "Phi + Fheat q", "", node.heat, energy, "formulation 9");
+            zones.conduction ? "manual page, equation (14)" : "manual page, equation (20)");
+    section.add("Phi", "from the tool in this cycle", "", flow.heat, energy, "Formulation 9, step 12");
+    section.add("Fheat q", "friction heat", "", node.friction_heat, energy, "manual page, equation (19)");
+    section.add("to node", "Phi + Fheat q", "", node.heat, energy, "Formulation 9, step 12");
     return section;
 }
 

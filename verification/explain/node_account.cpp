@@ -23,7 +23,7 @@ AccountLine gap_line(const AccountInput& input, double gap) {
     const Interface& card = input.card();
     const auto n = static_cast<size_t>(input.node);
     const SecondarySide& side = card.secondary;
-    AccountLine line{"g", "Gapmin", "", gap, input.unit(dim::length), "Igap 0, page, comment 2"};
+    AccountLine line{"g", "Gapmin", "", gap, input.unit(dim::length), "Igap 0, manual page, comment 2"};
     if (card.igap == 0) return line;
     const double contact_thickness = side.contact_thickness[n];
     const char* const thickness = contact_thickness != 0 ? "t_c" : "t0";
@@ -32,13 +32,13 @@ AccountLine gap_line(const AccountInput& input, double gap) {
         line.formula = fmt::format("max(Gapmin, min(Fscalegap {}/2, Gapmax))", thickness);
         line.numbers = fmt::format("max({:.6g}, min({:.6g} x {:.6g}/2, {:.6g}))", card.gapmin.value,
                                    card.fscalegap.value, value, card.gapmax.value);
-        line.source = contact_thickness != 0 ? "page, equation (3)" : "page, equation (1)";
+        line.source = contact_thickness != 0 ? "manual page, equation (3)" : "manual page, equation (1)";
         return line;
     }
     const double raw = input.inspect.raw_gap(input.node, input.motion).value_or(gap);
     line.formula = fmt::format("max(Gapmin, min(g_s, Gapmax)), g_s = Fscalegap ({} + t_n - t0)/2", thickness);
     line.numbers = fmt::format("max({:.6g}, min({:.9g}, {:.6g}))", card.gapmin.value, raw, card.gapmax.value);
-    line.source = contact_thickness != 0 ? "page, equation (4)" : "page, equation (2)";
+    line.source = contact_thickness != 0 ? "manual page, equation (4)" : "manual page, equation (2)";
     return line;
 }
 
@@ -61,13 +61,14 @@ AccountSection place_section(const AccountInput& input) {
     AccountSection section{"place", {}};
     section.add("x", "", "", x, length, "position of the node");
     section.add("x_G", "", "", pose.position, length, "main node of the tool");
-    section.add("y", "R^T (x - x_G)", "", input.inspect.tool_frame(input.node, input.motion), length, "formulation 1");
+    section.add("y", "R^T (x - x_G)", "", input.inspect.tool_frame(input.node, input.motion), length,
+                "Formulation 1, step 1");
     const double gap = input.step.active ? input.step.nodes[static_cast<size_t>(input.node)].gap : reach.gap;
     section.lines.push_back(gap_line(input, gap));
     if (reach.gap != gap) section.add("g'", "", "", reach.gap, length, "D33: this gap decides contact");
-    section.add("DEPTH", "", "", reach.depth, length, "page, comment 4");
+    section.add("DEPTH", "", "", reach.depth, length, "manual page, comment 4");
     if (reach.proximity > 0)
-        section.add("reach", "max(Drad, Dcond)", "", reach.proximity, length, "formulation 3, step 5");
+        section.add("reach", "max(Drad, Dcond)", "", reach.proximity, length, "Formulation 3, step 5");
     return section;
 }
 
@@ -81,7 +82,7 @@ NodeAccount account_node(const AccountInput& input) {
         account_candidates(input.inspect, input.node, input.inspect.tool_frame(input.node, input.motion));
     if (!account.active) {
         AccountSection section{"no contact", {}};
-        section.say("", "the interface does not act at this time (Tstart, Tstop, sens_ID)", "page, comment 20");
+        section.say("", "the interface does not act at this time (Tstart, Tstop, sens_ID)", "manual page, comment 20");
         account.sections.push_back(std::move(section));
         return account;
     }

@@ -22,8 +22,8 @@ bool is_cover(std::string_view text) {
     if (space == std::string_view::npos) return false;
     const std::string_view kind = text.substr(0, space);
     const std::string_view what = text.substr(space + 1);
-    if (kind == "eq") return is_number_up_to(what, page_equations);
-    if (kind == "comment") return is_number_up_to(what, page_comments);
+    if (kind == "eq") return is_number_up_to(what, manual_equations);
+    if (kind == "comment") return is_number_up_to(what, manual_comments);
     if (kind == "field")
         return std::any_of(interface_fields().begin(), interface_fields().end(),
                            [&](const InterfaceField& field) { return field.name == what; });

@@ -14,7 +14,7 @@ namespace type21 {
 
 /// What is stepped.
 struct LockstepTarget {
-    std::string name;  ///< "incline/page", or the path of a deck
+    std::string name;  ///< "incline/documented", or the path of a deck
     CaseRun run;
 };
 

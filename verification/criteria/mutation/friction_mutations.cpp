@@ -1,4 +1,4 @@
-// Friction, its laws and its filter, skid line (formulation section 8).
+// Friction, its laws and its filter, skid line.
 #include <algorithm>
 
 #include <fmt/format.h>

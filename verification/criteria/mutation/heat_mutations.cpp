@@ -1,4 +1,4 @@
-// Heat between tool and blank (formulation section 9).
+// Heat between tool and blank.
 #include "verification/criteria/mutation/break_contact.h"
 
 namespace type21 {

@@ -1,4 +1,4 @@
-"""The page as Chromium shows it: pictures at laptop and phone width, whether it fits, a PDF."""
+"""The report as Chromium shows it: pictures at laptop and phone width, whether it fits, a PDF."""
 
 import json
 import shutil
@@ -7,12 +7,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from check_page import SECTIONS
+from check_report import SECTIONS
 
 WIDTHS = {"laptop": (1366, 900), "phone": (390, 844)}
 SKIPPED = 77  # what ctest takes for a skipped test
 
-# Run in the page: opens every sheet, and says how wide it is and what sticks out of it.
+# Run in the report: opens every sheet, and says how wide it is and what sticks out of it.
 PROBE = """
 <script>
 addEventListener("load", () => {
@@ -45,11 +45,11 @@ def chromium(*words, timeout=240):
     return done.stdout
 
 
-def framed(page, width, height, folder):
-    """A page that holds the report in a frame of this width: a window of Chromium cannot be as narrow as a phone."""
+def framed(report, width, height, folder):
+    """An HTML file that holds the report in a frame of this width: a window of Chromium cannot be as narrow as a phone."""
     probed = folder / "probed.html"
     names = f"<script>const NAMES = {json.dumps(SECTIONS)};</script>"
-    probed.write_text(page.read_text().replace("<head>", "<head>" + names + PROBE, 1).replace('loading="lazy"', 'loading="eager"'))
+    probed.write_text(report.read_text().replace("<head>", "<head>" + names + PROBE, 1).replace('loading="lazy"', 'loading="eager"'))
     outer = folder / f"frame_{width}.html"
     outer.write_text(f"<!DOCTYPE html><body style='margin:0'><iframe id=f src='probed.html' width={width} height={height} style='border:0'></iframe>"
                      "<script>const copy = () => { const a = f.contentDocument?.body?.dataset.answer; "
@@ -57,12 +57,12 @@ def framed(page, width, height, folder):
     return outer
 
 
-def judge(name, width, page, folder):
+def judge(name, width, report, folder):
     """Complaints about one width."""
-    outer = framed(page, width, 900, folder)
+    outer = framed(report, width, 900, folder)
     dom = chromium("--allow-file-access-from-files", "--virtual-time-budget=20000", f"--window-size={max(width, 600)},900", "--dump-dom", outer.as_uri())
     if 'data-answer="' not in dom:
-        return [f"{name}: the page did not answer"]
+        return [f"{name}: the report did not answer"]
     answer = json.loads(dom.split('data-answer="')[1].split('"')[0].replace("&quot;", '"').replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"))
     out = []
     for state in ("closed", "open"):
@@ -76,35 +76,35 @@ def judge(name, width, page, folder):
     return out
 
 
-def look(page, out_folder):
+def look(report, out_folder):
     """Screenshots at both widths; 0: everything fits, 3: not, 77: there is no Chromium."""
     if find_chromium() is None:
         print("skipped: Chromium is not there (Debian: apt-get install chromium)")
         return SKIPPED
-    if not page.is_file():
-        print(f"error: {page} is not there: scripts/report makes it", file=sys.stderr)
+    if not report.is_file():
+        print(f"error: {report} is not there: scripts/report makes it", file=sys.stderr)
         return 1
     out_folder.mkdir(parents=True, exist_ok=True)
     complaints = []
     with tempfile.TemporaryDirectory() as folder:
         for name, (width, height) in WIDTHS.items():
-            complaints += judge(name, width, page, Path(folder))
-            outer = framed(page, width, height, Path(folder))
+            complaints += judge(name, width, report, Path(folder))
+            outer = framed(report, width, height, Path(folder))
             chromium("--allow-file-access-from-files", "--virtual-time-budget=8000", f"--window-size={width},{height}",
                      f"--screenshot={out_folder / f'{name}.png'}", outer.as_uri())
     for line in complaints:
         print(f"error: {line}", file=sys.stderr)
-    print(f"report: {page.name} at {', '.join(f'{width} ({name})' for name, (width, _) in WIDTHS.items())} pixels: "
+    print(f"report: {report.name} at {', '.join(f'{width} ({name})' for name, (width, _) in WIDTHS.items())} pixels: "
           f"{'fits, all sections there' if not complaints else f'{len(complaints)} complaints'}; pictures in {out_folder}")
     return 3 if complaints else 0
 
 
-def print_pdf(page, out):
+def print_pdf(report, out):
     if find_chromium() is None:
         raise RuntimeError("a PDF needs Chromium (Debian: apt-get install chromium)")
     out.parent.mkdir(parents=True, exist_ok=True)
-    # All sheets open: the page does that for the address #print.
-    chromium("--virtual-time-budget=60000", "--no-pdf-header-footer", f"--print-to-pdf={out}", page.resolve().as_uri() + "#print", timeout=600)
+    # All sheets open: the report does that for the address #print.
+    chromium("--virtual-time-budget=60000", "--no-pdf-header-footer", f"--print-to-pdf={out}", report.resolve().as_uri() + "#print", timeout=600)
     if not out.is_file():
         raise RuntimeError(f"{out} was not made")
     print(f"report: {out}, {out.stat().st_size / 1e6:.1f} MB")

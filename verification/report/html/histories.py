@@ -226,7 +226,7 @@ def panels_of(case):
     if not done:
         return [], [], None
     main_run = next((name for name in done if case.runs[name].get("as_built", "") == "all"), done[0])
-    other_run = next((name for name in ("page", *done) if name in done and name != main_run), "")
+    other_run = next((name for name in ("documented", *done) if name in done and name != main_run), "")
     values = value_panels(histories)
     panels = force_panels(histories, main_run, other_run)
     if any(panel.title.endswith(ENERGIES) for panel in values):

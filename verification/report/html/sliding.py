@@ -15,7 +15,7 @@ def steps(row):
 
 
 def draw(rows):
-    """A panel for each shape of tool; solid: normals as the page interpolates them, dashed: those of the facets."""
+    """A panel for each shape of tool; solid: interpolated normals, as documented, dashed: those of the facets."""
     import matplotlib.pyplot as plt
 
     # Below it jumps are rounding, and are drawn as such.

@@ -120,5 +120,5 @@ class Sources:
         self.not_run = [folder.name for folder in folders if folder.name not in by_case]
 
     def beside(self, name):
-        """A JSON file beside the page: traceability, mutation, accuracy, bench, lockstep, stability."""
+        """A JSON file beside the report: traceability, mutation, accuracy, bench, lockstep, stability."""
         return read_json(self.options.out.parent / name)

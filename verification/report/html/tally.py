@@ -1,4 +1,4 @@
-"""What the front page counts."""
+"""What the verdict section counts."""
 
 KINDS = ("ANALYTIC", "EXACT", "EXTERNAL", "CROSS", "REGRESSION")
 

@@ -1,4 +1,4 @@
-"""Numbers and pictures as text for the page."""
+"""Numbers and pictures as text for the report."""
 
 from markupsafe import Markup
 

@@ -23,7 +23,7 @@ struct Residual {
 ///   friction CE_FRIC + QFRIC = sum over the cycles of <v_rel, F_t> dt1
 ///   heat     sum C dT = sum of the heat given, over the nodes with a heat capacity and all interfaces together
 /// The node's force acts at x, the tool's at X: each enters the power with its own velocity, so the identity holds to
-/// rounding. Source: formulation 7, 8, 11.
+/// rounding. Source: Formulation 7, step 7; Formulation 8, step 12.
 struct InterfaceBalance {
     Residual force, power, damping_energy, friction_energy, heat;
     long cycles_in_contact = 0;  ///< cycles with a force on a node: 0 means that nothing was checked

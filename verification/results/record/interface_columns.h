@@ -13,7 +13,7 @@ struct InterfaceColumn {
     double (*value)(const InterfaceTotals&);
 };
 
-/// Every column in the order of the file: FNX ... CE_DAMP (formulation 11).
+/// Every column in the order of the file: FNX ... CE_DAMP (Formulation 11, step 8).
 const std::vector<InterfaceColumn>& interface_columns();
 
 /// Columns of one interface: those that its /TH/INTER groups choose, all when none names it.

@@ -11,8 +11,8 @@ namespace type21 {
 
 /// Follows the bodies that /TH/RBODY names, else the tool of every interface.
 /// FX .. MZ are the impulses of ToolLoad (contact and tool damping), moments about the main node, with the weight
-/// w = (dt1 + dt2)/2 of every impulse (formulation 11). OpenRadioss leaves these columns 0 for TYPE21 (measured run,
-/// commit bd4557b), so they are compared with nothing.
+/// w = (dt1 + dt2)/2 of every impulse (Formulation 11, step 7). OpenRadioss leaves these columns 0 for TYPE21 (measured
+/// run, commit bd4557b), so they are compared with nothing.
 class RigidBodyHistory {
   public:
     explicit RigidBodyHistory(const HostScene& scene);

@@ -41,7 +41,7 @@ TEST(Usage, DeparturesAsJsonSayWhatTheTextSays) {
                   std::string::npos)
             << row;
         EXPECT_NE(outcome.out.find(row["as_built"].get<std::string>()), std::string::npos) << row;
-        EXPECT_NE(outcome.out.find(row["page"].get<std::string>()), std::string::npos) << row;
+        EXPECT_NE(outcome.out.find(row["documented"].get<std::string>()), std::string::npos) << row;
         unavailable += row["available"] == false ? 1 : 0;
         EXPECT_EQ(row["available"] == true, row["reason"] == "") << row;
     }

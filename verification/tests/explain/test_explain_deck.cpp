@@ -90,16 +90,14 @@ TEST_P(EveryForce, IsTheRunsToTheLastBit) {
     EXPECT_GT(with_force, 2) << "a scene without force shows nothing";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryForce,
-                         testing::Values(Scenario{"cylinder_slide", ""}, Scenario{"cylinder_slide", "all"},
-                                         Scenario{"fric_reversal", ""}, Scenario{"inacti_6", ""},
-                                         Scenario{"inacti_5", "all"}, Scenario{"impact_relax", "all"},
-                                         Scenario{"istf1_stfac", "all"}, Scenario{"rotating_tool", "all"},
-                                         Scenario{"filter1", ""}, Scenario{"fric2_table", ""},
-                                         Scenario{"therm_fctidf_asc1", ""}, Scenario{"therm_form1_heat", "all"}),
-                         [](const auto& p) {
-                             return std::string(p.param.name) + (p.param.as_built[0] != 0 ? "_as_built" : "_page");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, EveryForce,
+    testing::Values(Scenario{"cylinder_slide", ""}, Scenario{"cylinder_slide", "all"}, Scenario{"fric_reversal", ""},
+                    Scenario{"inacti_6", ""}, Scenario{"inacti_5", "all"}, Scenario{"impact_relax", "all"},
+                    Scenario{"istf1_stfac", "all"}, Scenario{"rotating_tool", "all"}, Scenario{"filter1", ""},
+                    Scenario{"fric2_table", ""}, Scenario{"therm_fctidf_asc1", ""},
+                    Scenario{"therm_form1_heat", "all"}),
+    [](const auto& p) { return std::string(p.param.name) + (p.param.as_built[0] != 0 ? "_as_built" : "_documented"); });
 
 SmallScene resting(const Vec3& blank) {
     SmallScene small = over_a_square({blank});
@@ -195,14 +193,14 @@ TEST(ExplainDeck, WhatIsNotThereIsNamed) {
     EXPECT_NE(error_of(small, {blank_id(small), 0.0, Id{9}}).find("no interface 9; it has 1"), std::string::npos);
 }
 
-TEST(ExplainDeck, AnOrdinaryNodeFitsOnAPage) {
+TEST(ExplainDeck, AnOrdinaryNodeFitsOnOneScreen) {
     const PreparedDeck deck = prepared("cylinder_slide", "");
     const DeckAccount account = explain_deck(*deck.scene, {1014, 4e-4, {}});
     const std::string text = account_text(account, *deck.scene->host);
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 62) << text;
 }
 
-// A sub-triangle is rejected at each step of formulation 3, and the trace says which.
+// A sub-triangle is rejected at each step of the projection, Formulation 3, and the trace says which.
 TEST(ProjectionTrace, StopsAtTheStepThatRejects) {
     using namespace reference;
     const auto step = [](const Vec3& p, const SubTriangle<double>& t, bool lands) {

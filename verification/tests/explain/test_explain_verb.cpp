@@ -29,7 +29,7 @@ TEST(ExplainVerb, OfANode) {
     const Outcome good = type21(deck + " --node 1014 --time 4e-4");
     EXPECT_EQ(good.code, 0) << good.text;
     EXPECT_NE(good.text.find("retained impact"), std::string::npos);
-    EXPECT_NE(good.text.find("page, equation (12)"), std::string::npos);
+    EXPECT_NE(good.text.find("manual page, equation (12)"), std::string::npos);
     EXPECT_NE(good.text.find("to the last bit"), std::string::npos);
 }
 

@@ -50,7 +50,7 @@ TEST(FieldHelp, ColumnsUnitAndDefaultAreThoseOfTheModel) {
     has("Stfac", "Istf 0: -, Istf 1: N/m");
     has("C5", "Ifric 3: m/s");
     has("DEPTH", "D03");
-    has("VISs", "as built    as the page");
+    has("VISs", "as built    as documented");
 }
 
 TEST(FieldHelp, CasesAreThoseThatCoverTheField) {

@@ -19,7 +19,7 @@ TEST(AsBuilt, TableHasEveryDepartureOnceInOrder) {
     for (size_t i = 0; i < 37; ++i) {
         const DepartureRow& row = departures()[i];
         EXPECT_EQ(static_cast<size_t>(row.id), i + 1);
-        EXPECT_FALSE(row.page.empty());
+        EXPECT_FALSE(row.documented.empty());
         EXPECT_FALSE(row.as_built.empty());
         EXPECT_EQ(row.available, row.reason.empty()) << name(row.id);
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The report of a few cases is whole, and what is wrong with a page is found. Run by ctest; 77 means skipped.
+"""The report of a few cases is complete, and faults of a report are found. Run by ctest; 77 means skipped.
 
-usage: report_test.py page|looks TYPE21 FOLDER"""
+usage: test_report.py content|looks TYPE21 FOLDER"""
 
 import json
 import shutil
@@ -28,10 +28,10 @@ def can_make():
     return "needs Python 3.11 with" not in report("--check", results="none").stderr
 
 
-class Page(unittest.TestCase):
+class Content(unittest.TestCase):
     def assert_has(self, text, words):
-        """assertIn without the whole page in its message."""
-        self.assertTrue(words in text, f"the page lacks '{words}'")
+        """assertIn without the whole report in its message."""
+        self.assertTrue(words in text, f"the report lacks '{words}'")
 
     @classmethod
     def setUpClass(cls):
@@ -45,7 +45,7 @@ class Page(unittest.TestCase):
         cls.text = (FOLDER / "index.html").read_text() if cls.first.returncode == 0 else ""
 
     def check(self, text):
-        """Complaints about a page of this text."""
+        """Complaints about a report of this text."""
         (FOLDER / "spoilt.html").write_text(text)
         done = report("--check", out="spoilt.html")
         self.assertEqual(done.returncode, 3 if done.stderr else 0, done.stderr)
@@ -60,8 +60,8 @@ class Page(unittest.TestCase):
         again = report()
         self.assertIn("report: 0 pictures and answers made", again.stdout)
         self.assertNotIn("drawing", again.stdout)
-        self.assertTrue((FOLDER / "index.html").read_text() == self.text, "made again, the page is another")
-        run = FOLDER / "runs/stmin/page/interface_1.csv"
+        self.assertTrue((FOLDER / "index.html").read_text() == self.text, "made again, the report is another")
+        run = FOLDER / "runs/stmin/documented/interface_1.csv"
         old = run.read_text()
         try:
             run.write_text(old.rsplit("\n", 2)[0] + "\n")
@@ -70,7 +70,7 @@ class Page(unittest.TestCase):
             run.write_text(old)
             report()
 
-    def test_front_page_counts_what_the_records_say(self):
+    def test_verdict_counts_what_the_records_say(self):
         records = json.loads((FOLDER / "results.json").read_text())
         self.assert_has(self.text, f"{len(records)} checks: all hold")
         runs = [json.loads(path.read_text()) for path in (FOLDER / "runs").glob("*/*/run.json")]
@@ -90,7 +90,7 @@ class Page(unittest.TestCase):
         self.assertFalse("all hold<" in text)
         report()
 
-    def test_what_is_wrong_with_a_page_is_found(self):
+    def test_faults_of_a_report_are_found(self):
         for old, new, complaint in (
             ('id="case-stmin"', 'id="case-nobody"', "the case 'stmin' has no sheet"),
             ('href="#departures"', 'href="#nowhere"', "'#nowhere' leads nowhere"),
@@ -106,7 +106,7 @@ class Page(unittest.TestCase):
                 self.assertIn(complaint, self.check(self.text.replace(old, new, 1)))
 
     def with_files(self, files):
-        """The text of a page made with these JSON files beside it."""
+        """The text of a report made with these JSON files beside it."""
         for name, value in files.items():
             (FOLDER / name).write_text(json.dumps(value))
         try:
@@ -191,7 +191,7 @@ class Page(unittest.TestCase):
     def test_a_case_shows_the_laws_that_it_has_been_on(self):
         self.assert_has(self.text, "Rings: |Fₜ| / |Fₙ| of nodes that slip, 0.086 to 0.741; lines: the law of the card at their speeds, dotted that of the optimized "
                                    "implementation, equal in every bit")
-        self.assertRegex(self.text, r"Run page\. The pressure stays at Pmax for penetrations from 0.01\d* to 0.0[45]\d* mm")
+        self.assertRegex(self.text, r"Run documented\. The pressure stays at Pmax for penetrations from 0.01\d* to 0.0[45]\d* mm")
         self.assertRegex(self.text, "[Hh]eat flows through")
 
     def test_without_results_it_says_who_makes_them(self):
@@ -227,4 +227,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "looks" and report("--screenshots", FOLDER / "screenshots", out="none").returncode == SKIPPED:
         print("skipped: Chromium is not there")
         sys.exit(SKIPPED)
-    unittest.main(argv=[sys.argv[0], {"page": "Page", "looks": "Looks"}[sys.argv[1]]], verbosity=2)
+    unittest.main(argv=[sys.argv[0], {"content": "Content", "looks": "Looks"}[sys.argv[1]]], verbosity=2)

@@ -153,9 +153,9 @@ TEST(CaseFile, ComplainsAboutEveryMistake) {
 }
 
 TEST(CaseFile, RulesBelongToTheRunWithTheSameDepartures) {
-    const CaseFolder folder(
-        head + "[[run]]\nname = \"page\"\n" + check("reference = \"interface_1.csv\"\n") +
-        "[[check]]\nid=\"d\"\nrun=\"page\"\nkind=\"EXTERNAL\"\ntolerance=0.5\nreason=\"r\"\nreference=\"tool.csv\"\n");
+    const CaseFolder folder(head + "[[run]]\nname = \"documented\"\n" + check("reference = \"interface_1.csv\"\n") +
+                            "[[check]]\nid=\"d\"\nrun=\"documented\"\nkind=\"EXTERNAL\"\ntolerance=0.5\nreason="
+                            "\"r\"\nreference=\"tool.csv\"\n");
     ASSERT_TRUE(folder.problems.empty()) << folder.all();
     bool foreign = true;
     std::vector<FileRule> rules = rules_of(folder.a_case, "none", foreign);

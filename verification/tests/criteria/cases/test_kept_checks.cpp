@@ -69,10 +69,10 @@ TEST_F(KeptChecks, BelongToTheCaseTheImplementationAndTheResults) {
     EXPECT_EQ(verify(), "2 of 4");
     EXPECT_EQ(verify("optimized"), "0 of 4");
     EXPECT_EQ(verify("optimized"), "4 of 4");
-    const fs::path result = file("scratch/flat_press/page/nodes.csv");
+    const fs::path result = file("scratch/flat_press/documented/nodes.csv");
     write_text(result, read_text(result) + " ");
     EXPECT_EQ(verify("optimized"), "3 of 4");
-    fs::remove_all(file("scratch/flat_press/page"));
+    fs::remove_all(file("scratch/flat_press/documented"));
     EXPECT_EQ(verify("optimized"), "3 of 4");
 }
 
@@ -87,7 +87,7 @@ TEST_F(KeptChecks, AreNotKeptWhereOneFailed) {
 
 TEST_F(KeptChecks, DamagedAreAsIfThereWereNone) {
     verify();
-    const fs::path kept = file("scratch/gapmin_default/page.checks.json");
+    const fs::path kept = file("scratch/gapmin_default/documented.checks.json");
     ASSERT_TRUE(fs::exists(kept));
     write_text(kept, read_text(kept).substr(0, 100));
     EXPECT_EQ(verify(), "3 of 4");

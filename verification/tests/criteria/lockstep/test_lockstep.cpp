@@ -34,7 +34,7 @@ void expect_all_the_same(const std::string& as_built) {
     EXPECT_GT(all.in_contact, 1000 * all.grazing);
 }
 
-TEST(Lockstep, AllCasesAsThePageSays) {
+TEST(Lockstep, AllCasesAsDocumented) {
     expect_all_the_same("none");
 }
 

@@ -1,4 +1,4 @@
-"""The page: everything gathered, pictures drawn where needed, templates filled."""
+"""The report: everything gathered, pictures drawn where needed, templates filled."""
 
 import os
 import platform
@@ -120,7 +120,7 @@ def make(sources, store, options):
     environment.filters.update(number=words.number, small=words.small, picture=words.picture, nanoseconds=words.nanoseconds)
     environment.globals.update(percent=words.percent, plural=words.plural, share=tally.share)
     failed = [record for record in sources.records if record["verdict"] == "failed"]
-    text = environment.get_template("page.html.j2").render(
+    text = environment.get_template("report.html.j2").render(
         records=sources.records, cases=cases, rest=rest, groups=groups, drawn=drawn, not_run=sources.not_run, failed=failed,
         skipped=sum(record["verdict"] not in ("ok", "failed") for record in sources.records),
         kinds=tally.by_kind(sources.records), total=tally.over_runs(runs), fast=tally.over_runs(fast_runs) if fast_runs else None,
@@ -133,7 +133,7 @@ def make(sources, store, options):
         sliding=sliding.figure(sources.beside("stability.json"), store),
         trace=sources.beside("traceability.json"), machine=machine(sources, runs),
         style=Markup((HERE / "templates/style.css").read_text()),
-        script=Markup((HERE / "templates/page.js").read_text()))
+        script=Markup((HERE / "templates/report.js").read_text()))
     store.forget_the_rest()
     part = options.out.with_suffix(".part")
     part.write_text(text)

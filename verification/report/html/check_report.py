@@ -1,4 +1,4 @@
-"""Whether a page is whole: links lead somewhere, nothing comes from outside, no number is nan, every case has its sheet."""
+"""Whether a report is complete: links lead somewhere, nothing comes from outside, no number is nan, every case has its sheet."""
 
 import json
 import re
@@ -12,7 +12,7 @@ LOADS = {"img": "src", "script": "src", "link": "href", "iframe": "src", "object
 VOID = {"meta", "img", "br", "hr", "input", "link", "source", "col"}
 
 
-class Page(HTMLParser):
+class ReportParser(HTMLParser):
     def __init__(self, text):
         super().__init__(convert_charrefs=True)
         self.ids, self.links, self.complaints, self.open, self.words = [], [], [], [], []
@@ -54,34 +54,34 @@ class Page(HTMLParser):
 
 
 def complaints_of(text, records):
-    page = Page(text)
-    out = list(page.complaints)
-    ids = set(page.ids)
-    out += [f"the id '{name}' is there twice" for name in sorted(ids) if page.ids.count(name) > 1]
-    for link in page.links:
+    report = ReportParser(text)
+    out = list(report.complaints)
+    ids = set(report.ids)
+    out += [f"the id '{name}' is there twice" for name in sorted(ids) if report.ids.count(name) > 1]
+    for link in report.links:
         if not link.startswith("#"):
             out.append(f"the link '{link}' leads outside")
         elif link[1:] not in ids:
             out.append(f"the link '{link}' leads nowhere")
     out += [f"the section '{name}' is missing" for name in SECTIONS if name not in ids]
     out += [f"the case '{name}' has no sheet" for name in sorted({record["case"] for record in records}) if f"case-{name}" not in ids]
-    shown = set(page.words)
+    shown = set(report.words)
     for record in records:
         if record["id"] not in shown:
             out.append(f"the check '{record['id']}' of {record['case']} is not shown")
-    for word in page.words:
+    for word in report.words:
         # Numbers that are none; a case or a test may have the letters in its name.
         if re.search(r"(?<![\w.])[-−+]?(nan|inf)(?![\w.])", word, re.I) or "Undefined" in word or "{{" in word:
             out.append(f"the text '{word[:80]}' has a nan or an unfilled place")
     return out
 
 
-def main(page, results):
-    if not page.is_file() or not results.is_file():
-        print(f"error: {page if not page.is_file() else results} is not there", file=sys.stderr)
+def main(report, results):
+    if not report.is_file() or not results.is_file():
+        print(f"error: {report if not report.is_file() else results} is not there", file=sys.stderr)
         return 1
-    found = complaints_of(page.read_text(), json.loads(results.read_text()))
+    found = complaints_of(report.read_text(), json.loads(results.read_text()))
     for line in found[:40]:
-        print(f"error: {page.name}: {line}", file=sys.stderr)
-    print(f"report: {page}: {'in order' if not found else f'{len(found)} complaints'}")
+        print(f"error: {report.name}: {line}", file=sys.stderr)
+    print(f"report: {report}: {'in order' if not found else f'{len(found)} complaints'}")
     return 3 if found else 0
