@@ -41,21 +41,24 @@ int run(AccuracyArguments options) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand(
-        "accuracy", "What accuracy costs in time: number types, implementations, searches and effects side by side");
+    CLI::App* verb = app.add_subcommand("accuracy",
+                                        "Measure the time and the accuracy of number types, implementations, searches "
+                                        "and effects on the same questions");
     const auto options = std::make_shared<AccuracyArguments>();
-    verb->add_flag("--quick", options->measure.quick, "fewer decisions and repeats, some 20 s; else some 3 minutes");
-    verb->add_option("--repeats", options->measure.repeats, "of each time (default: 21 when quick, else 41)")
+    verb->add_flag("--quick", options->measure.quick, "fewer decisions and repeats: about 20 s instead of 3 minutes");
+    verb->add_option("--repeats", options->measure.repeats,
+                     "number of repeats of each measurement (default: 41, with --quick 21)")
         ->check(CLI::Range(1, 100000));
-    verb->add_option("--scene", options->measure.scenes, "only these scenes, without the effects (default: all)")
+    verb->add_option("--scene", options->measure.scenes,
+                     "measure only this scene, and no effects; may be repeated (default: all scenes)")
         ->check(CLI::IsMember(scene_names()));
-    verb->add_option("--seed", options->measure.seed, "another seed asks other questions")->capture_default_str();
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
-    verb->add_flag("--quiet", options->quiet, "no progress");
+    verb->add_option("--seed", options->measure.seed, "seed of the random questions")->capture_default_str();
+    verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->add_flag("--quiet", options->quiet, "print no progress");
     verb->add_flag("--list", options->list, "list the scenes; measure nothing");
     verb->footer(
-        "Times are processor time of one thread; all methods are timed in turn in one process. Exit code 3 when a\n"
-        "method that promises exact decisions is wrong; times never decide.");
+        "Times are processor time of one thread; the methods are timed in turn in one process.\n"
+        "Exit code 3 if a method that guarantees exact decisions is wrong. Times do not affect the exit code.");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -6,7 +6,7 @@
 namespace type21::cli {
 namespace {
 
-/// Empty when the text names a set of departures, otherwise what is wrong.
+/// Empty if the text names a set of departures, otherwise what is wrong.
 std::string departures_trouble(const std::string& text) {
     Problems problems;
     parse_as_built(text, problems);
@@ -19,7 +19,9 @@ std::string departures_trouble(const std::string& text) {
 }  // namespace
 
 void add_as_built(CLI::App& verb, std::string& as_built) {
-    verb.add_option("--as-built", as_built, "departures to switch on: all, D03,D24, all,-D04 (see type21 departures)")
+    verb.add_option(
+            "--as-built", as_built,
+            "departures to switch on, such as all or D03,D24 or all,-D04 (default: none; see 'type21 departures')")
         ->check(CLI::Validator(departures_trouble, "SET"));
 }
 

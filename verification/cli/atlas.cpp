@@ -41,8 +41,8 @@ int show(const AtlasArguments& options) {
         fmt::print("{}", to_text(entry, answers));
         json["entries"].push_back(to_json(entry, answers));
     }
-    fmt::print("{} entries, {} decisions: {} differ from the exact answer; plain double gets {} wrong\n",
-               entries.size(), queries, wrong, double_wrong);
+    fmt::print("{} {}, {} decisions: {} differ from the exact answer; plain double is wrong in {}\n", entries.size(),
+               entries.size() == 1 ? "entry" : "entries", queries, wrong, double_wrong);
     if (!options.json.empty()) write_report(options.json, json);
     return wrong == 0 ? exit_ok : exit_mismatch;
 }
@@ -50,15 +50,18 @@ int show(const AtlasArguments& options) {
 }  // namespace
 
 void add_atlas(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("atlas", "Answer the atlas of hard cases and compare with the exact answers");
+    CLI::App* verb =
+        app.add_subcommand("atlas", "Answer the atlas of hard geometric cases and compare with the exact answers");
     const auto options = std::make_shared<AtlasArguments>();
-    verb->add_option("NAMES", options->names, "entries (default: all)");
-    verb->add_option("--folder", options->folder, "where the entries are")->capture_default_str();
-    verb->add_option("--with", options->with, "reference, optimized, exact, double: who answers")
+    verb->add_option("NAMES", options->names, "names of entries (default: all)");
+    verb->add_option("--folder", options->folder, "folder of the entries")->capture_default_str();
+    verb->add_option("--with", options->with,
+                     "method that answers: reference, optimized, exact (rational numbers) or double")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
-    verb->add_option("--json", options->json, "write every entry with its geometry and all answers to this file");
-    verb->footer("Exit code 3 when an answer differs from the exact one.");
+    verb->add_option("--json", options->json,
+                     "also write the entries, with geometry and all answers, to this JSON file");
+    verb->footer("Exit code 3 if an answer differs from the exact one.");
     verb->callback([options, &exit_code] { exit_code = show(*options); });
 }
 

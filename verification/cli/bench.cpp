@@ -75,30 +75,32 @@ int run(const BenchArguments& options, const std::string& command) {
 void add_bench(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "bench",
-        "Measure the optimized contact on this machine, against others that run in turn, and check its decisions");
+        "Measure the speed of the optimized contact and of other searches on this machine, and check its decisions");
     const auto options = std::make_shared<BenchArguments>();
     verb->add_option(
         "DECK", options->deck,
-        "starter deck NAME_0000.rad whose cycles are timed in place of the generated scenes (with --sizes: "
-        "beside them)");
-    verb->add_option("--sizes", options->sizes, "triangles of the stamped pan (default: 20k,200k,1M)")->delimiter(',');
-    verb->add_option("--nodes", options->nodes, "more numbers of nodes above it (default: 10k,1M; with --quick: none)")
+        "starter deck NAME_0000.rad to time instead of the generated scenes (with --sizes: as well as them)");
+    verb->add_option("--sizes", options->sizes,
+                     "numbers of triangles of the stamped pan (default: 20k,200k,1M; with --quick: 20k,200k)")
         ->delimiter(',');
-    verb->add_option("--threads", options->threads, "numbers of threads to compare; all else runs on one")
+    verb->add_option("--nodes", options->nodes,
+                     "further numbers of nodes above the pan (default: 10k,1M; with --quick: none)")
+        ->delimiter(',');
+    verb->add_option("--threads", options->threads, "numbers of threads to compare; everything else uses one thread")
         ->delimiter(',')
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    verb->add_option("--check", options->check, "decisions to compare with exact ones, 0 for none")
+    verb->add_option("--check", options->check, "number of decisions to compare with exact ones")
         ->capture_default_str();
-    verb->add_option("--cycles", options->cycles, "of the deck, at most")
+    verb->add_option("--cycles", options->cycles, "largest number of cycles of DECK")
         ->check(CLI::Range(3, 100000))
         ->capture_default_str();
-    verb->add_flag("--quick", options->quick, "half a minute: 20k and 200k, few repeats");
+    verb->add_flag("--quick", options->quick, "smaller tools and fewer repeats: about half a minute");
     verb->add_option("--json", options->json,
-                     "write the same as JSON to this file (the report reads build/report/bench.json)");
-    verb->add_flag("--quiet", options->quiet, "no progress");
+                     "also write the output to this JSON file (the report reads build/report/bench.json)");
+    verb->add_flag("--quiet", options->quiet, "print no progress");
     verb->footer(
-        "Ratios compare medians of methods that ran in turn. Exit code 3 when a decision is not the exact one.");
+        "Ratios compare the medians of methods that are timed in turn. Exit code 3 if a decision is not exact.");
     verb->callback([options, &exit_code] {
         std::string command = "type21 bench";
         const auto add = [&](const std::string& text) { command += " " + text; };

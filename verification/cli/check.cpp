@@ -38,13 +38,13 @@ int check(const CheckArguments& options) {
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("check", "Read a deck, resolve it, and say what would be computed; nothing is run");
+    CLI::App* verb = app.add_subcommand(
+        "check", "Read a deck and print what would be computed, with every value and its origin; nothing is run");
     const auto options = std::make_shared<CheckArguments>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
     add_as_built(*verb, options->as_built);
-    CLI::Option* json = verb->add_option("--json", options->json, "write the same as JSON to this file");
-    verb->add_flag("--geometry", options->geometry, "put nodes and segments into the JSON as well")->needs(json);
+    CLI::Option* json = verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->add_flag("--geometry", options->geometry, "add nodes and segments to the JSON file")->needs(json);
     verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

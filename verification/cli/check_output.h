@@ -1,4 +1,4 @@
-/// @file What `type21 check` says of a good deck.
+/// @file The output of `type21 check` for a deck without errors.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ std::string check_text(const HostScene& scene, const std::vector<TimeZero>& zero
 /// The same, with every initial penetration.
 nlohmann::ordered_json check_json(const HostScene& scene, const std::vector<TimeZero>& zero, const Problems& problems);
 
-/// What can be drawn of the deck at time 0: `nodes` as [id, x, y, z] [length], and for each interface its `secondary`
+/// The geometry at time 0, for drawings: `nodes` as [id, x, y, z] [length], and for each interface its `secondary`
 /// and `main` segments as lists of 3 or 4 node ids.
 nlohmann::ordered_json geometry_json(const HostScene& scene);
 

@@ -26,7 +26,7 @@ void require_folder(const std::string& folder) {
     if (!fs::is_directory(folder, error)) throw UsageError(fmt::format("{}: is not a folder that can be read", folder));
 }
 
-/// "D04, D24", "none", or empty when the folder has no run.json that says.
+/// "D04, D24" or "none"; empty if the folder has no run.json with that entry.
 std::string as_built_of(const fs::path& folder) {
     std::ifstream file(folder / "run.json");
     const auto json = nlohmann::json::parse(file, nullptr, false);
@@ -40,7 +40,7 @@ int report(const FolderComparison& comparison, const CompareArguments& options) 
     return comparison.ok() ? exit_ok : exit_mismatch;
 }
 
-/// A file that cannot be read is as a deck with errors: what is wrong and where, exit code 2.
+/// A file that cannot be read is treated like a deck with errors: a message with the place, and exit code 2.
 int compare_with_file(const CompareArguments& options) {
     try {
         return report(compare_file(options.ours, options.reference, {options.tolerance, options.columns, {}}), options);
@@ -73,8 +73,8 @@ int compare(const CompareArguments& options) {
     const int code = report(comparison, options);
     if (foreign && !as_built.empty())
         fmt::print(
-            "note: {} was run with the departures '{}'; the case expects agreement with others (--as-built, see its "
-            "case.toml)\n",
+            "note: {} was run with the departures '{}'; the criteria of the case are for other departures (see "
+            "--as-built and its case.toml)\n",
             options.ours, as_built);
     return code;
 }
@@ -89,13 +89,15 @@ void add_compare(CLI::App& app, int& exit_code) {
     verb->add_option("OURS", options->ours, "folder of a run")->required();
     verb->add_option("REFERENCE", options->reference,
                      "folder of another run or of a case, a time-history file of OpenRadioss (NAMET01), or a CSV with "
-                     "our columns")
+                     "the columns of a run")
         ->required();
-    verb->add_option("--tolerance", options->tolerance,
-                     "allowed difference relative to the scale of the column (default: the case's, otherwise 1e-9)")
+    verb->add_option(
+            "--tolerance", options->tolerance,
+            "allowed difference relative to the scale of the column (default: that of the case, otherwise 1e-9)")
         ->check(CLI::NonNegativeNumber);
-    verb->add_option("--columns", options->columns, "only these columns: FNX,FNZ")->delimiter(',');
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->add_option("--columns", options->columns, "compare only these columns, such as FNX,FNZ (default: all)")
+        ->delimiter(',');
+    verb->add_option("--json", options->json, "also write the output to this JSON file");
     verb->callback([options, &exit_code] { exit_code = compare(*options); });
 }
 

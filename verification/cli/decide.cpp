@@ -23,7 +23,7 @@ int decide_file(const DecideArguments& options) {
     for (const std::string& problem : problems)
         fmt::print(stderr, "{}\n", problem);
     if (!problems.empty()) {
-        fmt::print(stderr, "{} problems; nothing was decided\n", problems.size());
+        fmt::print(stderr, "{} problems; no question was answered\n", problems.size());
         return exit_deck;
     }
     for (size_t i = 0; i < file.blocks.size(); ++i)
@@ -49,18 +49,18 @@ int decide_file(const DecideArguments& options) {
 
 void add_decide(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "decide", "Answer geometric questions: which segment, which side, contact or not, how close to another answer");
+        "decide", "Answer geometric questions: segment, side, contact or proximity, and the margin to another answer");
     const auto options = std::make_shared<DecideArguments>();
-    verb->add_option("FILE", options->file,
-                     "JSON with blocks of tool and queries (README, 'Ask about a configuration')")
+    verb->add_option("FILE", options->file, "JSON file with tools and nodes (see README, 'Ask about a configuration')")
         ->required();
     verb->add_option(
             "--with", options->with,
-            "reference (exact, in stages), optimized (exact), exact (rational numbers alone), double (may be wrong)")
+            "method: reference (exact, in stages), optimized (exact), exact (only rational numbers) or double (may be "
+            "wrong)")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
-    verb->add_option("--out", options->out, "write questions and answers to this file (default: to standard output)");
-    verb->footer("Where FILE has answers, they are compared: exit code 3 when one differs.");
+    verb->add_option("--out", options->out, "write questions and answers to this JSON file (default: standard output)");
+    verb->footer("If FILE has answers, they are compared. Exit code 3 if one differs.");
     verb->callback([options, &exit_code] { exit_code = decide_file(*options); });
 }
 

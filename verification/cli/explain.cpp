@@ -21,7 +21,7 @@ struct ExplainArguments {
 
 int explain_node(const ExplainArguments& options) {
     if (!options.node || !options.time)
-        throw UsageError("a deck is explained for one node at one time: give --node and --time");
+        throw UsageError("a deck needs --node and --time: one node at one time is explained");
     const PreparedDeck prepared = prepare_deck(options.what, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
@@ -41,7 +41,7 @@ int explain_node(const ExplainArguments& options) {
     return exit_ok;
 }
 
-/// What the cases of the folder cover; none where there is no such folder.
+/// What the cases of the folder cover; empty if there is no such folder.
 std::vector<CaseCover> covers_of(const std::string& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error)) return {};
@@ -52,7 +52,7 @@ std::vector<CaseCover> covers_of(const std::string& folder) {
     return covers;
 }
 
-/// A field of the card or a departure; nothing where the word is neither.
+/// The text of a field or of a departure; nothing if the word is neither.
 std::optional<std::string> word_text(const ExplainArguments& options) {
     if (const FieldHelp* help = find_field_help(options.what)) return field_text(*help, covers_of(options.cases));
     std::string word = options.what;
@@ -77,7 +77,8 @@ int explain(const ExplainArguments& options) {
     }
     std::error_code error;
     if (std::filesystem::exists(options.what, error)) return explain_node(options);
-    fmt::print(stderr, "type21: '{}' is neither a field of /INTER/TYPE21 nor a departure nor a file; there are: {}\n",
+    fmt::print(stderr,
+               "type21: '{}' is no field of /INTER/TYPE21, no departure and no file. Fields and departures: {}\n",
                options.what, known_words());
     return exit_deck;
 }
@@ -86,18 +87,21 @@ int explain(const ExplainArguments& options) {
 
 void add_explain(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "explain", "Say why: one node of a deck at one time, a field of the card (DEPTH), or a departure (D03)");
+        "explain",
+        "Explain the force on one node of a deck at one time, a field of the card (DEPTH), or a departure (D03)");
     const auto options = std::make_shared<ExplainArguments>();
     verb->add_option("WHAT", options->what,
-                     "starter deck NAME_0000.rad with --node and --time, or a field, or a departure")
+                     "starter deck NAME_0000.rad (with --node and --time), name of a field, or name of a departure")
         ->required();
     verb->add_option("--node", options->node, "id of a secondary node");
-    verb->add_option("--time", options->time, "time; the last cycle that is not after it is explained");
-    verb->add_option("--interface", options->interface, "id of an interface (default: all that have the node)");
+    verb->add_option("--time", options->time, "time in the deck's unit; the last cycle at or before it is explained");
+    verb->add_option("--interface", options->interface, "id of an interface (default: all with this node)");
     add_as_built(*verb, options->as_built);
-    verb->add_option("--thickness", options->thickness, "CSV of the shells' thickness over time, as for run");
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
-    verb->add_option("--cases", options->cases, "folder of the cases that a field or departure is looked up in")
+    verb->add_option("--thickness", options->thickness,
+                     "CSV of the thickness of the shells over time (see 'type21 run --help')");
+    verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->add_option("--cases", options->cases,
+                     "folder of the cases; those that cover a field or a departure are listed")
         ->capture_default_str();
     verb->callback([options, &exit_code] { exit_code = explain(*options); });
 }

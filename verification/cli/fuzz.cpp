@@ -24,7 +24,7 @@ struct FuzzArguments {
     bool list = false;
 };
 
-/// A line on a terminal that is written over, every tenth elsewhere when it takes long.
+/// On a terminal one line that is overwritten; elsewhere a line every 30 s.
 std::function<void(double)> progress_of(const std::string& family) {
     using Clock = std::chrono::steady_clock;
     return [family, terminal = isatty(STDERR_FILENO) == 1,
@@ -42,7 +42,7 @@ std::vector<const Family*> chosen(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         const Family* family = family_named(name);
         if (family == nullptr)
-            throw UsageError(fmt::format("there is no family '{}'; 'type21 fuzz --list' shows those there are", name));
+            throw UsageError(fmt::format("there is no question family '{}'; 'type21 fuzz --list' lists them", name));
         found.push_back(family);
     }
     if (names.empty())
@@ -79,7 +79,7 @@ int run_fuzz(FuzzArguments options) {
         write_report(options.json, json);
     }
     if (different == 0) return exit_ok;
-    fmt::print(stderr, "{} answers are wrong; 'type21 replay FILE' shows one of those written to {}\n", different,
+    fmt::print(stderr, "{} answers are wrong; 'type21 replay FILE' shows one of the files in {}\n", different,
                options.failures);
     return exit_mismatch;
 }
@@ -87,25 +87,26 @@ int run_fuzz(FuzzArguments options) {
 }  // namespace
 
 void add_fuzz(CLI::App& app, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("fuzz", "Ask the contact random and adversarial questions and compare with exact answers");
+    CLI::App* verb = app.add_subcommand(
+        "fuzz", "Ask random and adversarial geometric questions and compare the answers with exact ones");
     const auto options = std::make_shared<FuzzArguments>();
     options->fuzz.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    verb->add_option("--family", options->families, "families to draw from (default: all)");
-    verb->add_option("--count", options->fuzz.count, "decisions for each family")
+    verb->add_option("--family", options->families, "question family; may be repeated (default: all)");
+    verb->add_option("--count", options->fuzz.count, "number of questions for each family")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    verb->add_option("--seed", options->fuzz.seed, "another seed asks other questions")->capture_default_str();
-    verb->add_option("--with", options->with, "reference, optimized, exact, double: what is put to the test")
+    verb->add_option("--seed", options->fuzz.seed, "seed of the random questions")->capture_default_str();
+    verb->add_option("--with", options->with,
+                     "method under test: reference, optimized, exact (rational numbers) or double")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
-    verb->add_option("--jobs", options->fuzz.jobs, "threads (default: the number of processors)")
+    verb->add_option("--jobs", options->fuzz.jobs, "number of threads (default: number of processors)")
         ->check(CLI::PositiveNumber);
-    verb->add_option("--failures", options->failures, "folder for the files of failures")->capture_default_str();
-    verb->add_option("--json", options->json, "write the counts to this file");
-    verb->add_flag("--list", options->list, "list the families; ask nothing");
+    verb->add_option("--failures", options->failures, "folder for the files of wrong answers")->capture_default_str();
+    verb->add_option("--json", options->json, "also write the counts to this JSON file");
+    verb->add_flag("--list", options->list, "list the question families and exit");
     verb->footer(
-        "Exit code 3 when an answer is wrong. The first 10 wrong ones of a family are made small and written.");
+        "The first 10 wrong answers of a family are reduced and written to files. Exit code 3 if an answer is wrong.");
     verb->callback([options, &exit_code] { exit_code = run_fuzz(*options); });
 }
 

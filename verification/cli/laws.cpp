@@ -31,15 +31,16 @@ int run(const LawsArguments& options) {
 
 void add_laws(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "laws", "Run a deck and say where on its friction, pressure and heat laws its nodes have been");
+        "laws", "Run a deck and print the range of its friction, pressure and heat laws that its nodes covered");
     const auto options = std::make_shared<LawsArguments>();
     verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad")->required();
     add_as_built(*verb, options->as_built);
-    verb->add_option("--thickness", options->thickness, "CSV of the thickness of the shells over time");
-    verb->add_option("--with", options->with, "who computes the contact")
+    verb->add_option("--thickness", options->thickness,
+                     "CSV of the thickness of the shells over time (see 'type21 run --help')");
+    verb->add_option("--with", options->with, "implementation of the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
-    verb->add_option("--json", options->json, "write points and curves to this file");
+    verb->add_option("--json", options->json, "also write points and curves to this JSON file");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

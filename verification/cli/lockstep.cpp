@@ -51,7 +51,7 @@ int run(const LockstepArguments& options) {
     fmt::print("{}", to_text(records));
     if (!options.json.empty()) write_report(options.json, to_json(records));
     for (const LockstepRecord& record : records) {
-        // A deck that the user names must run; among the cases are some that must be refused.
+        // A deck named by the user must run; some cases have decks that must be refused.
         if (record.refused && record.target.name.ends_with(".rad")) return exit_deck;
         if (!record.ok()) return exit_mismatch;
     }
@@ -61,21 +61,22 @@ int run(const LockstepArguments& options) {
 }  // namespace
 
 void add_lockstep(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand(
-        "lockstep", "Step reference and optimized side by side and compare every decision and force of every cycle");
+    CLI::App* verb = app.add_subcommand("lockstep",
+                                        "Step the reference and the optimized contact side by side and compare every "
+                                        "decision and force of every cycle");
     const auto options = std::make_shared<LockstepArguments>();
-    verb->add_option("NAMES", options->names, "cases, or starter decks NAME_0000.rad (default: all cases)");
+    verb->add_option("NAMES", options->names, "names of cases, or starter decks NAME_0000.rad (default: all cases)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     add_as_built(*verb, options->as_built);
     verb->add_option("--free-runs", options->free_runs,
-                     "run both on their own as well, into this folder, and say how far their histories are apart");
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
-    verb->add_option("--jobs", options->jobs, "runs at a time (default: the number of processors)")
+                     "also run both separately, into this folder, and print the largest difference of their histories");
+    verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->add_option("--jobs", options->jobs, "number of runs at a time (default: number of processors)")
         ->check(CLI::PositiveNumber);
-    verb->add_flag("--quiet", options->quiet, "no progress");
+    verb->add_flag("--quiet", options->quiet, "print no progress");
     verb->footer(
-        "Cases are run with the departures that they say, or with those of --as-built ('none' for none).\n"
-        "Exit code 3 when a decision differs, or anything else by more than 4 ulps of the magnitudes that enter.");
+        "Cases are run with the departures of their case.toml, or with those of --as-built ('none' for none).\n"
+        "Exit code 3 if a decision differs, or a number by more than 4 ulps of the magnitudes that enter it.");
     verb->callback([options, verb, &exit_code] {
         options->as_built_given = verb->count("--as-built") > 0;
         exit_code = run(*options);

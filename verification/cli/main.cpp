@@ -1,4 +1,4 @@
-/// @file The command line: wires the verbs, maps what they throw to exit codes.
+/// @file The command line: adds the commands, and turns exceptions into exit codes.
 #include <cstdio>
 #include <exception>
 
@@ -25,8 +25,10 @@ int run(int argc, char** argv) {
                                                   build.build_type));
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done, 1 wrong command line or unusable folder, 2 the deck has errors,\n"
-        "3 histories or decisions differ, or a check failed, 4 the run stopped or diverged, or an internal error.");
+        "Exit codes: 0 success; 1 wrong command line, or a folder or file that cannot be used; 2 errors in the deck;\n"
+        "3 histories, decisions or implementations differ, or a criterion failed; 4 the run stopped or diverged, or "
+        "an\n"
+        "internal error.");
     int code = cli::exit_ok;
     cli::add_check(app, code);
     cli::add_run(app, code);
@@ -48,9 +50,9 @@ int run(int argc, char** argv) {
         fmt::print(stderr, "{}", app.help());
         return cli::exit_usage;
     }
-    // The parser would only say that a verb is missing.
+    // The message of the parser would only be that a command is missing.
     if (const std::string word = argv[1]; !word.starts_with('-') && !is_verb(app, word)) {
-        fmt::print(stderr, "type21: there is no verb '{}'. Run 'type21 --help' for those there are\n", word);
+        fmt::print(stderr, "type21: there is no command '{}'; 'type21 --help' lists the commands\n", word);
         return cli::exit_usage;
     }
     try {
@@ -59,14 +61,14 @@ int run(int argc, char** argv) {
         return app.exit(asked);  // --help, --version
     } catch (const CLI::ParseError& error) {
         fmt::print(stderr,
-                   "type21: {}\nRun 'type21 --help' for the verbs and 'type21 VERB --help' for their options.\n",
+                   "type21: {}\n'type21 --help' lists the commands, 'type21 COMMAND --help' the options of one.\n",
                    error.what());
         return cli::exit_usage;
     }
     return code;
 }
 
-/// Never throws, so that nothing escapes from main's handlers.
+/// Never throws, so that no exception leaves the handlers of main.
 int complain(const char* what, const std::exception& error, int code) {
     std::fputs(what, stderr);
     std::fputs(error.what(), stderr);

@@ -27,7 +27,7 @@ std::vector<Mutation> chosen_mutations(const std::vector<std::string>& names) {
         const auto found = std::find_if(mutations().begin(), mutations().end(),
                                         [&](const Mutation& mutation) { return mutation.name == name; });
         if (found == mutations().end())
-            throw UsageError(fmt::format("there is no mutation '{}'; 'type21 mutate --list' names them", name));
+            throw UsageError(fmt::format("there is no mutation '{}'; 'type21 mutate --list' lists them", name));
         some.push_back(*found);
     }
     return some;
@@ -66,23 +66,23 @@ int mutate(const MutateArguments& options) {
 }  // namespace
 
 void add_mutate(CLI::App& app, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("mutate", "Break the contact on purpose, one effect at a time: some check must turn red");
+    CLI::App* verb = app.add_subcommand(
+        "mutate", "Break one effect of the contact at a time, on purpose, and check that a criterion fails");
     const auto options = std::make_shared<MutateArguments>();
-    verb->add_option("NAMES", options->names, "mutations (default: all)");
+    verb->add_option("NAMES", options->names, "names of mutations (default: all)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
-    verb->add_option("--scratch", options->scratch, "folder for the runs; what they write is removed")
+    verb->add_option("--scratch", options->scratch, "folder for the runs; their results are removed")
         ->capture_default_str();
     verb->add_option("--with", options->with,
-                     "who computes the contact that is broken; mutations of a decision break the reference always")
+                     "implementation that is broken; mutations of decisions always break the reference")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
-    verb->add_option("--json", options->json, "write one record a mutation to this file");
-    verb->add_option("--jobs", options->jobs, "mutations at a time (default: the number of processors)")
+    verb->add_option("--json", options->json, "also write one record for each mutation to this JSON file");
+    verb->add_option("--jobs", options->jobs, "number of mutations at a time (default: number of processors)")
         ->check(CLI::PositiveNumber);
-    verb->add_flag("--list", options->list, "list the mutations; run nothing");
-    verb->add_flag("--quiet", options->quiet, "no progress");
-    verb->footer("Exit code 3 when a mutation survives all checks.");
+    verb->add_flag("--list", options->list, "list the mutations and exit");
+    verb->add_flag("--quiet", options->quiet, "print no progress");
+    verb->footer("Exit code 3 if no criterion fails for a mutation.");
     verb->callback([options, &exit_code] { exit_code = mutate(*options); });
 }
 

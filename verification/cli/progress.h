@@ -13,7 +13,7 @@ class Progress {
     explicit Progress(std::string time_unit);
 
     void operator()(const RunProgress& progress);
-    /// Leaves the line, so that what follows starts on its own.
+    /// Ends the line, so that the next output starts on a new one.
     void finish();
 
   private:

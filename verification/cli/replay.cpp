@@ -17,7 +17,7 @@ struct ReplayArguments {
     std::string file, with;
 };
 
-/// The method that the file says was under test.
+/// The method that the file names as tested.
 std::string method_in(const std::string& file) {
     std::ifstream stream(file);
     const auto json = nlohmann::json::parse(stream, nullptr, false);
@@ -25,7 +25,7 @@ std::string method_in(const std::string& file) {
                                                                                  : "reference";
 }
 
-/// @return true where the answer is wrong
+/// @return true if the answer is wrong
 bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
     const DecisionQuery& query = block.queries[q];
     fmt::print("{}", every_answer(block.tool, query));
@@ -33,7 +33,7 @@ bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
     std::string wrong = judgement.wrong;
     if (!block.answers.empty()) {
         fmt::print("  {:<20} {}\n", "the file", in_words(block.answers[q]));
-        if (wrong.empty() && !judgement.answer.same_decision(block.answers[q])) wrong = "the file says otherwise";
+        if (wrong.empty() && !judgement.answer.same_decision(block.answers[q])) wrong = "the file has another answer";
     }
     fmt::print("  {} is {}\n", name(method), wrong.empty() ? "right" : "WRONG: " + wrong);
     return !wrong.empty();
@@ -65,13 +65,13 @@ int replay(const ReplayArguments& options) {
 }  // namespace
 
 void add_replay(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("replay", "Ask the question of a failure again, of every arithmetic");
+    CLI::App* verb = app.add_subcommand("replay", "Answer a question that failed once more, with every method");
     const auto options = std::make_shared<ReplayArguments>();
-    verb->add_option("FILE", options->file, "a file that 'type21 fuzz' wrote, or any in the format of decide")
+    verb->add_option("FILE", options->file, "file written by 'type21 fuzz', or any file for 'type21 decide'")
         ->required();
-    verb->add_option("--with", options->with, "judge this one (default: the one that FILE names, else reference)")
+    verb->add_option("--with", options->with, "method to judge (default: the one that FILE names, otherwise reference)")
         ->check(CLI::IsMember(method_names()));
-    verb->footer("Exit code 3 while it is wrong, 0 once it is mended.");
+    verb->footer("Exit code 3 if the answer of the method is wrong.");
     verb->callback([options, &exit_code] { exit_code = replay(*options); });
 }
 

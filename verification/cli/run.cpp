@@ -32,7 +32,7 @@ int run(const RunArguments& options) {
     progress.finish();
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
-    fmt::print(stderr, "type21: the run {}: {}. What was written until then is in {}\n", name(summary.state),
+    fmt::print(stderr, "type21: the run {}: {}. The results until then are in {}\n", name(summary.state),
                summary.reason, options.out);
     return exit_stopped;
 }
@@ -42,22 +42,23 @@ int run(const RunArguments& options) {
 void add_run(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand("run", "Run a deck and write its histories");
     const auto options = std::make_shared<RunArguments>();
-    verb->add_option("DECK", options->deck, "starter deck NAME_0000.rad; the engine deck NAME_0001.rad lies beside it")
+    verb->add_option("DECK", options->deck,
+                     "starter deck NAME_0000.rad; the engine deck NAME_0001.rad must be in the same folder")
         ->required();
-    verb->add_option("--out", options->out, "folder for the results; those of an earlier run in it are replaced")
+    verb->add_option("--out", options->out, "folder for the results; results of an earlier run in it are replaced")
         ->required();
     add_as_built(*verb, options->as_built);
     verb->add_option(
         "--thickness", options->thickness,
-        "CSV of the shells' thickness: time and one column for each element id, the value at the end of the "
-        "cycle at that time; for Igap 2 and Idel");
-    verb->add_option("--with", options->with, "who computes the contact")
+        "CSV of the thickness of the shells: time and one column for each element id, with the value at the end of "
+        "the cycle at that time; 0 deletes the element (for Igap 2 and Idel)");
+    verb->add_option("--with", options->with, "implementation of the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_flag(
         "--paraview", options->paraview,
-        "blank and tool of each interface as time series for ParaView, in the folder paraview of the results");
-    verb->add_flag("--quiet", options->quiet, "no progress and no summary");
+        "also write blank and tool of each interface as time series for ParaView, in the subfolder paraview");
+    verb->add_flag("--quiet", options->quiet, "print no progress and no summary");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -1,4 +1,4 @@
-/// @file What `type21 run` says at the end.
+/// @file The summary that `type21 run` prints.
 #pragma once
 
 #include <string>

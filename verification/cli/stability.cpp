@@ -65,15 +65,17 @@ int run(const StabilityArguments& options) {
 
 void add_stability(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
-        "stability", "Long runs and sliding paths: what drifts with time and what jumps with the step, as numbers");
+        "stability", "Measure drift over long runs, and jumps of the force of a node that slides over a tool");
     const auto options = std::make_shared<StabilityArguments>();
-    verb->add_option("NAMES", options->names, "which; all when none is named")->check(CLI::IsMember(all_names()));
-    verb->add_option("--cycles", options->cycles, "of each long run, in place of its own number (1e5 or 1e6)")
+    verb->add_option("NAMES", options->names, "names of long runs, or sliding (default: all)")
+        ->check(CLI::IsMember(all_names()));
+    verb->add_option("--cycles", options->cycles, "number of cycles of each long run (default: 1e5 or 1e6, by run)")
         ->check(CLI::Range(10000L, 1000000000L));
-    verb->add_option("--with", options->with, "who computes the contact")
+    verb->add_option("--with", options->with, "implementation of the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
-    verb->add_option("--json", options->json, "write the same as JSON to this file");
+    verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->footer("Exit code 3 if a number exceeds its bound.");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

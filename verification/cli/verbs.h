@@ -1,4 +1,4 @@
-/// @file The verbs of type21. Each adds its options to the program and a callback that sets the exit code.
+/// @file The commands of type21. Each adds its options to the program and a callback that sets the exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,10 +24,10 @@ void add_fuzz(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 
-/// The option --as-built; a set that is not one is a usage error.
+/// The option --as-built; a wrong set is a usage error.
 void add_as_built(CLI::App& verb, std::string& as_built);
 
-/// Every problem on stderr in the order in which it was met, and a count.
+/// Prints every problem on stderr, in the order of the deck, and their number.
 void print_problems(const Problems& problems);
 
 }  // namespace type21::cli

@@ -8,7 +8,7 @@
 #include "verification/cli/verbs.h"
 #include "verification/criteria/cases/verify_cases.h"
 #include "verification/criteria/lockstep/lockstep_report.h"
-#include "verification/report/check_report.h"
+#include "verification/report/criteria_report.h"
 #include "verification/support/contact_choice.h"
 
 namespace type21::cli {
@@ -24,18 +24,18 @@ struct VerifyArguments {
 void print_list(const std::vector<Case>& cases) {
     for (const Case& a_case : cases) {
         fmt::print("{}: {}\n", a_case.name, a_case.statement);
-        for (const CaseCheck& check : a_case.checks)
-            fmt::print("  {:<24} {:<10} run {}\n", check.id, name(check.kind), a_case.runs[check.run].name);
+        for (const Criterion& criterion : a_case.criteria)
+            fmt::print("  {:<24} {:<10} run {}\n", criterion.id, name(criterion.kind), a_case.runs[criterion.run].name);
     }
 }
 
-/// Reference and optimized side by side, a check for each run that a deck does not refuse.
-void add_lockstep_checks(const std::vector<Case>& cases, int jobs, std::vector<CheckResult>& results) {
+/// Steps reference and optimized side by side: one criterion for each run whose deck is not refused.
+void add_lockstep_criteria(const std::vector<Case>& cases, int jobs, std::vector<CriterionResult>& results) {
     for (const LockstepRecord& record : lockstep_decks(lockstep_targets(cases, {}), {jobs, {}, {}})) {
         if (record.refused) continue;
         const size_t slash = record.target.name.find('/');
         results.push_back(
-            lockstep_check(record, record.target.name.substr(0, slash), record.target.name.substr(slash + 1)));
+            lockstep_criterion(record, record.target.name.substr(0, slash), record.target.name.substr(slash + 1)));
     }
 }
 
@@ -50,17 +50,17 @@ int verify(const VerifyArguments& options) {
         return exit_ok;
     }
     const auto progress = [](const VerifyProgress& p) {
-        if (p.kept) return;  // the table says how many
+        if (p.kept) return;  // the summary gives their number
         fmt::print(stderr, "[{:>3}/{}] {}/{} {:.2f} s{}\n", p.done, p.of, p.case_name, p.run, p.seconds,
-                   p.failed == 0 ? "" : fmt::format(", {} checks FAILED", p.failed));
+                   p.failed == 0 ? "" : fmt::format(", {} criteria FAILED", p.failed));
     };
-    std::vector<CheckResult> results =
+    std::vector<CriterionResult> results =
         verify_cases(cases, options.scratch, options.jobs, progress, options.with, options.keep);
-    if (options.lockstep) add_lockstep_checks(cases, options.jobs, results);
-    fmt::print("{}", check_table(results));
-    if (!options.json.empty()) write_report(options.json, check_json(results));
-    if (!options.junit.empty()) write_report(options.junit, check_junit(results));
-    for (const CheckResult& result : results)
+    if (options.lockstep) add_lockstep_criteria(cases, options.jobs, results);
+    fmt::print("{}", criteria_table(results));
+    if (!options.json.empty()) write_report(options.json, criteria_json(results));
+    if (!options.junit.empty()) write_report(options.junit, criteria_junit(results));
+    for (const CriterionResult& result : results)
         if (!result.ok) return exit_mismatch;
     return exit_ok;
 }
@@ -68,23 +68,24 @@ int verify(const VerifyArguments& options) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("verify", "Run cases and check what comes out");
+    CLI::App* verb = app.add_subcommand("verify", "Run cases and check their criteria");
     const auto options = std::make_shared<VerifyArguments>();
-    verb->add_option("NAMES", options->names, "cases to run (default: all)");
+    verb->add_option("NAMES", options->names, "names of cases (default: all)");
     verb->add_option("--cases", options->cases, "folder of the cases")->capture_default_str();
     verb->add_option("--scratch", options->scratch, "folder for the results of the runs")->capture_default_str();
-    verb->add_option("--json", options->json, "write one record a check to this file");
-    verb->add_option("--junit", options->junit, "write JUnit XML to this file");
-    verb->add_option("--jobs", options->jobs, "runs at a time (default: the number of processors)")
+    verb->add_option("--json", options->json, "also write one record for each criterion to this JSON file");
+    verb->add_option("--junit", options->junit, "also write JUnit XML to this file");
+    verb->add_option("--jobs", options->jobs, "number of runs at a time (default: number of processors)")
         ->check(CLI::PositiveNumber);
-    verb->add_option("--with", options->with, "who computes the contact")
+    verb->add_option("--with", options->with, "implementation of the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_flag("--keep", options->keep,
-                   "do not run again what has held before, where case, program and results are the same as then");
+                   "do not repeat runs whose criteria held, if the case, the program and the results are unchanged");
     verb->add_flag("--lockstep", options->lockstep,
-                   "step the reference and the optimized contact side by side as well: one more check a run");
-    verb->add_flag("--list", options->list, "list the cases and their checks; run nothing");
+                   "also step the reference and the optimized contact side by side: one more criterion for each run");
+    verb->add_flag("--list", options->list, "list the cases and their criteria, and exit");
+    verb->footer("Exit code 3 if a criterion fails.");
     verb->callback([options, &exit_code] { exit_code = verify(*options); });
 }
 

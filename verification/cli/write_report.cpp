@@ -16,7 +16,7 @@ void write_report(const std::filesystem::path& path, const std::string& text) {
 }
 
 void write_report(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-    // A title of a deck may be in any encoding: what is not UTF-8 is replaced.
+    // A title of a deck may be in any encoding: bytes that are not UTF-8 are replaced.
     write_report(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

@@ -1,4 +1,4 @@
-/// @file An account: lines of what was computed from what, for text and JSON alike.
+/// @file An account: lines with a formula, its numbers and its value, printed as text or JSON.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace type21 {
 
-/// "F = k p = 252000 x 0.0123 = 3099.6 N   manual page, equation (5)". Parts that a line does not have are empty.
+/// "F = k p = 252000 x 0.0123 = 3099.6 N   manual page, equation (5)". Missing parts are empty.
 struct AccountLine {
     std::string symbol;
     std::string formula;  ///< in symbols

@@ -9,7 +9,7 @@ namespace type21 {
 namespace {
 
 constexpr size_t most_rejected = 12;    ///< segments shown one by one
-constexpr size_t most_expression = 62;  ///< wider ones have their value on the next line
+constexpr size_t most_expression = 62;  ///< the value of a wider one is on the next line
 
 std::string expression(const AccountLine& line) {
     std::string out = line.formula;
@@ -56,7 +56,7 @@ std::string section_text(const AccountSection& section) {
     return out;
 }
 
-/// How far the best sub-triangle of a segment came.
+/// The last step of the projection that a sub-triangle of the segment reached.
 int farthest_step(const SegmentAccount& segment) {
     int step = 0;
     for (const SubTriangleAccount& t : segment.triangles)
@@ -93,9 +93,10 @@ std::string rejected_text(const SegmentAccount& segment) {
 }
 
 std::string candidates_text(const CandidateAccount& account) {
-    std::string out =
-        fmt::format("candidates: {} segments whose box holds the node; {} sub-triangles take it, {} reject it\n",
-                    account.segments.size(), account.taken, account.rejected);
+    std::string out = fmt::format(
+        "candidates: {} segments whose box contains the node; {} sub-triangles accept it, {} reject it (Formulation "
+        "3)\n",
+        account.segments.size(), account.taken, account.rejected);
     out += taken_text(account);
     std::vector<const SegmentAccount*> order;
     for (const SegmentAccount& segment : account.segments)
@@ -118,7 +119,7 @@ std::string candidates_text(const CandidateAccount& account) {
     std::string rest;
     for (size_t step = 1; step < left.size(); ++step)
         if (left[step] > 0) rest += fmt::format("{}{} at step {}", rest.empty() ? "" : ", ", left[step], step);
-    if (!rest.empty()) out += fmt::format("  and in the other segments {} (--json has each)\n", rest);
+    if (!rest.empty()) out += fmt::format("  the other segments: rejected {} (--json lists each)\n", rest);
     return out;
 }
 
@@ -127,7 +128,7 @@ std::string candidates_text(const CandidateAccount& account) {
 std::string account_text(const DeckAccount& account, const Model& model) {
     const std::string time = model.units.name(dim::time);
     std::string out = fmt::format(
-        "node {} at t = {:.9g} {}, cycle {}, dt = {:.6g} {} (asked for t = {:.9g}); as built: {}\n", account.node,
+        "node {} at t = {:.9g} {}, cycle {}, dt = {:.6g} {} (requested t = {:.9g}); as built: {}\n", account.node,
         account.time, time, account.cycle, account.step, time, account.asked, model.as_built.text());
     for (const NodeAccount& of : account.interfaces) {
         out += fmt::format("\ninterface {} '{}'\n", of.interface, of.interface_title);

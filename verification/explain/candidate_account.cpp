@@ -46,7 +46,7 @@ std::string outside_text(const Barycentric<double>& w, const ProjectionLimits<do
     return fmt::format("b{0}+c{0} = {1:.4g} > {2}", mark, w.b + w.c, limits.high);
 }
 
-/// What was met last is what rejected.
+/// The last number that was computed is the one that led to the rejection.
 std::string rejection_text(const ProjectionRecord& r, const ProjectionLimits<double>& limits) {
     if (r.weights) return outside_text(*r.weights, limits, "");
     if (r.slope) return fmt::format("<n,N> = {:.4g} <= 0", *r.slope);
@@ -61,9 +61,9 @@ std::string distance_text(const SubTriangleAccount& t, const reference::ContactR
     const char* const sign = t.kind == Kind::none ? ">=" : "<";
     if (t.side < 0) return fmt::format("behind, d = {:.6g} {} DEPTH = {:.6g}", t.distance, sign, reach.depth);
     if (t.kind == Kind::proximity)
-        return fmt::format("d = {:.6g} < reach of the heat = {:.6g}", t.distance, reach.proximity);
+        return fmt::format("d = {:.6g} < reach of heat exchange = {:.6g}", t.distance, reach.proximity);
     if (t.kind == Kind::none && reach.proximity > reach.gap)
-        return fmt::format("d = {:.6g} >= reach of the heat = {:.6g}", t.distance, reach.proximity);
+        return fmt::format("d = {:.6g} >= reach of heat exchange = {:.6g}", t.distance, reach.proximity);
     return fmt::format("d = {:.6g} {} g = {:.6g}", t.distance, sign, reach.gap);
 }
 
@@ -71,20 +71,22 @@ std::string distance_text(const SubTriangleAccount& t, const reference::ContactR
 std::string why_retained(const Impact<double>& best, const std::vector<Impact<double>>& taken,
                          bool proximity_competes) {
     if (taken.empty()) return "";
-    if (taken.size() == 1) return "the only sub-triangle that takes the node";
+    if (taken.size() == 1) return "the only sub-triangle that accepts the node";
     Impact<double> other;
     for (const Impact<double>& impact : taken) {
         if (impact.segment == best.segment && impact.triangle == best.triangle) continue;
         if (precedes(impact, other, proximity_competes)) other = impact;
     }
     const std::string name = fmt::format("segment {}, k = {}", other.segment + 1, other.triangle);
-    if (other.kind != best.kind && !proximity_competes) return fmt::format("contact comes before proximity ({})", name);
+    if (other.kind != best.kind && !proximity_competes)
+        return fmt::format("contact takes precedence over proximity ({})", name);
     if (best.kappa < other.kappa)
-        return fmt::format("smallest kappa of {}: {:.9g}, next {:.9g} of {}", taken.size(), best.kappa, other.kappa,
-                           name);
+        return fmt::format("smallest kappa of {}: {:.9g}; the next is {:.9g} of {}", taken.size(), best.kappa,
+                           other.kappa, name);
     if (best.segment != other.segment)
-        return fmt::format("kappa {:.9g} as {}, but the lower segment", best.kappa, name);
-    return fmt::format("kappa {:.9g} as {}, but the lower k", best.kappa, name);
+        return fmt::format("kappa {:.9g} is equal to that of {}; the lower segment number is retained", best.kappa,
+                           name);
+    return fmt::format("kappa {:.9g} is equal to that of {}; the lower k is retained", best.kappa, name);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// @file Why each candidate sub-triangle takes a node or not, with the numbers that decided: the projection and its
-/// tests, Formulation 3, step 1 to step 5.
+/// @file Why each candidate sub-triangle accepts or rejects a node, with the numbers that decided: the projection and
+/// its tests, Formulation 3, step 1 to step 5.
 #pragma once
 
 #include <array>

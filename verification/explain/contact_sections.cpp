@@ -1,4 +1,4 @@
-/// @file The retained impact, where it lies, and what of the penetration is forgiven (Formulation chapters 4 to 6).
+/// @file The retained impact, the contact point, and the penetration offset: Formulation, chapters 4 to 6.
 #include <fmt/format.h>
 
 #include "reference/exact/staged_impact.h"
@@ -15,35 +15,36 @@ std::string side_text(int side) {
     return side < 0 ? "behind the surface" : "outward";
 }
 
-/// Why the reference has no impact although there are candidates.
+/// Why no impact is retained.
 std::string no_impact(const AccountInput& input, const CandidateAccount& candidates) {
     if (input.inspect.deleted(input.node, input.motion))
-        return "every element at the node is deleted: it has left (Idel)";
+        return "all elements at the node are deleted, so it has left the interface (Idel)";
     if (input.inspect.stiffness(input.node) == 0 && input.inspect.inacti() == 1)
-        return "the node is switched off: it penetrated at time 0 (Inacti 1)";
+        return "the node penetrated at time 0 and is switched off (Inacti 1)";
     if (input.inspect.stiffness(input.node) == 0) return "the node has no stiffness (k = 0)";
-    if (candidates.segments.empty()) return "no segment is near enough: no contact";
+    if (candidates.segments.empty()) return "no segment is near enough, so there is no contact";
     if (candidates.taken > 0)
-        return "exact arithmetic rejects what the doubles above would take: no contact (type21 decide shows the like)";
-    return "every sub-triangle rejects the node: no contact";
+        return "no contact: exact arithmetic rejects the sub-triangle that the rounded numbers above accept";
+    return "every sub-triangle rejects the node, so there is no contact";
 }
 
-/// The numbers above are doubles; where rounding misleads them, the decision is another.
+/// The numbers above are doubles. If their rounding matters, the exact decision differs.
 std::string by_exact_arithmetic(const Impact<double>& of_doubles) {
-    if (of_doubles.kind == Kind::none) return "exact arithmetic takes what the doubles above reject by their rounding";
-    return fmt::format("exact arithmetic; the doubles above would take segment {}, k = {} by their rounding",
+    if (of_doubles.kind == Kind::none)
+        return "exact arithmetic accepts the sub-triangle that the rounded numbers above reject";
+    return fmt::format("exact arithmetic; the rounded numbers above would retain segment {}, k = {}",
                        of_doubles.segment + 1, of_doubles.triangle);
 }
 
-/// The stage that could tell, and how close it was.
+/// The stage that settled the decision, and its margin.
 std::string settled_text(const AccountInput& input, const NodeAccount& account, const std::string& length) {
     const Vec3 y = input.inspect.tool_frame(input.node, input.motion);
     const std::vector<int> segments = input.inspect.candidates(input.node, y);
     const ShapeOf shape_of = [&](int segment) { return input.inspect.shape(segment); };
     const double margin = decision_margin({y, segments, shape_of, input.inspect.reach(input.node),
                                            input.inspect.limits(), input.inspect.proximity_competes()});
-    return fmt::format("{}; another decision is {:.3g} {} away, {:.3g} ulp", name(account.node.decision.stage), margin,
-                       length, in_ulps(margin, y));
+    return fmt::format("{}; margin to another decision {:.3g} {}, {:.3g} ulp", name(account.node.decision.stage),
+                       margin, length, in_ulps(margin, y));
 }
 
 }  // namespace
@@ -87,9 +88,9 @@ AccountSection geometry_section(const AccountInput& input, const NodeContact& no
                 node.geometric_penetration, length, "Formulation 5, step 4");
     if (node.geometric_penetration > 0) return section;
     if (node.decision.kind == Kind::proximity) {
-        section.say("", "near, not in contact: no force, only heat", "Formulation 4, step 2");
+        section.say("", "proximity: no force, only heat", "Formulation 4, step 2");
     } else {
-        section.say("", "no penetration: no force, the history is dropped", "Formulation 6, step 5");
+        section.say("", "no penetration: no force, and the history of the node is reset", "Formulation 6, step 5");
     }
     return section;
 }
@@ -107,7 +108,8 @@ AccountSection offset_section(const AccountInput& input, const NodeContact& node
         section.add("P0 old", six ? "p_g + 0.05 (g + DEPTH - p_g)" : "p_g", "", before, length,
                     fmt::format("Inacti {}, manual page, comment 9", inacti));
     } else {
-        section.add("P0 old", time_zero ? "0" : "", "", before, length, time_zero ? "Inacti 0" : "of the cycle before");
+        section.add("P0 old", time_zero ? "0" : "", "", before, length,
+                    time_zero ? "Inacti 0" : "from the cycle before");
     }
     section.add(
         "P0", six ? "min(P0, 0.95 P0 + 0.05 (p_g + 0.05|g - p_g|))" : "min(P0, 0.95 P0 + 0.05 p_g)",

@@ -18,7 +18,7 @@ bool same_word(std::string_view one, std::string_view other) {
                       [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-/// "label     text", the text broken into lines that hang under its first word.
+/// "label     text", the text wrapped and indented.
 std::string entry(std::string_view label, std::string_view text) {
     std::string out;
     size_t begin = 0;
@@ -39,7 +39,7 @@ const InterfaceField& card_field(std::string_view name) {
     return *std::find_if(fields.begin(), fields.end(), [&](const InterfaceField& f) { return f.name == name; });
 }
 
-/// "m", or "Istf 0: -, Istf 1: N/m" where the unit hangs on a flag.
+/// "m", or "Istf 0: -, Istf 1: N/m" if the unit depends on a flag.
 std::string unit_words(const InterfaceField& field) {
     const UnitSystem si;
     const auto unit = [&](const Interface& card) {
@@ -66,14 +66,14 @@ std::string unit_words(const InterfaceField& field) {
 }
 
 std::string default_words(const InterfaceField& field) {
-    // Blank where the field is used at all.
+    // A blank field on a card that uses it.
     const bool adaptive = field.name == "NRadm" || field.name == "Padm";
     const Interface card = blank_card(adaptive ? CardFields{{"Iadm", "2"}, {"Angladm", "30.0"}} : CardFields{});
     const Origin origin = with_field(card, field, [](const auto& value) { return value.origin; });
-    if (field.name == "surf_IDs" || field.name == "surf_IDm" || field.name == "IDrby") return "none: it must be given";
+    if (field.name == "surf_IDs" || field.name == "surf_IDm" || field.name == "IDrby") return "none; it must be given";
     for (const FieldRow& row : field_table(card, UnitSystem{}))
         if (row.name == field.name) {
-            // What the mesh decides has no value of its own.
+            // A default that depends on the mesh has no fixed value.
             if (field.name == "DEPTH" || field.name == "Gapmin") return origin.why;
             return origin.why.empty() ? row.value : fmt::format("{} ({})", row.value, origin.why);
         }
@@ -86,7 +86,7 @@ std::string case_words(std::string_view cover, std::span<const CaseCover> cases)
         if (std::find(a_case.covers.begin(), a_case.covers.end(), cover) != a_case.covers.end())
             out += (out.empty() ? "" : ", ") + a_case.name;
     if (!out.empty()) return out;
-    return cases.empty() ? "no folder of cases here; --cases names it" : "none";
+    return cases.empty() ? "unknown: no folder of cases here (see --cases)" : "none";
 }
 
 std::string departure_words(Departure departure) {
@@ -142,7 +142,7 @@ std::string departure_text(const DepartureRow& row, std::span<const CaseCover> c
     for (const FieldHelp& help : field_help())
         if (std::find(help.departures.begin(), help.departures.end(), row.id) != help.departures.end())
             fields += fmt::format("{}{}", fields.empty() ? "" : ", ", help.name);
-    out += entry("fields", fields.empty() ? "none: it is in the computation of every contact" : fields);
+    out += entry("fields", fields.empty() ? "none; it concerns every contact" : fields);
     return out + entry("cases", case_words("departure " + name(row.id), cases));
 }
 

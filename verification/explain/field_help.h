@@ -1,5 +1,4 @@
-/// @file What each field of the twelve lines is for, in our own words; columns, units and defaults are asked of the
-/// model.
+/// @file The meaning of each field of the twelve card lines. Columns, units and defaults come from the model.
 #pragma once
 
 #include <span>
@@ -15,7 +14,7 @@ namespace type21 {
 struct FieldHelp {
     std::string_view name;  ///< as in interface_fields()
     std::string_view meaning;
-    std::string_view rule;    ///< values, and what follows from them
+    std::string_view rule;    ///< values and their effect
     std::string_view source;  ///< equation and comment of the manual page, step of the formulation
     std::vector<Departure> departures;
 };
@@ -37,10 +36,10 @@ struct CaseCover {
     std::vector<std::string> covers;
 };
 
-/// Everything of one field: place on the card, unit, default as the model resolves a blank card, departures, cases.
+/// The help text of a field: place on the card, unit, default as the model resolves a blank card, departures, cases.
 std::string field_text(const FieldHelp& help, std::span<const CaseCover> cases);
 
-/// Both readings of a departure, whether it can be switched on, the fields it concerns, cases.
+/// The help text of a departure: as documented, as built, whether it can be switched on, its fields, cases.
 std::string departure_text(const DepartureRow& row, std::span<const CaseCover> cases);
 
 }  // namespace type21

@@ -20,13 +20,12 @@ std::vector<FieldHelp> field_help_friction() {
          {D06, D07, D28}},
         {"Xfreq",
          "Constant of the friction filter.",
-         "Ifiltr 1 and 2: between 0 and 1, for 2 the step over the filtering period. Ifiltr 3: the cutting frequency. "
-         "0 "
-         "means no filter.",
+         "Ifiltr 1 and 2: between 0 and 1; for 2 the time step over the filter period. Ifiltr 3: the cutting "
+         "frequency. 0 means no filter.",
          "manual page, comment 15, equation (13); Formulation 8, step 8",
          {D06, D07, D28}},
         {"sens_ID",
-         "Sensor that alone switches the interface on and off.",
+         "Sensor that switches the interface on and off.",
          "With it Tstart and Tstop are not used.",
          "manual page, comment 20; Formulation 9, step 2",
          {D09}},
@@ -42,7 +41,7 @@ std::vector<FieldHelp> field_help_friction() {
          {D08}},
         {"fric_ID",
          "/FRICTION that replaces the friction fields of the card, by pairs of parts.",
-         "Its Ifric, Ifiltr, Xfreq, Fric and C1 to C6 hold: those of the listed pair, or else its default.",
+         "Its Ifric, Ifiltr, Xfreq, Fric and C1 to C6 apply: those of the listed pair, otherwise its default.",
          "not on the manual page (later than it); Formulation 8, step 1",
          {D21, D28}},
         {"C1",

@@ -7,7 +7,7 @@ std::vector<FieldHelp> field_help_heat() {
     using enum Departure;
     return {
         {"NRadm",
-         "Elements wanted along a radius of 90 degrees.",
+         "Number of elements wanted along a radius of 90 degrees.",
          "An element is to be divided where the tool's radius is below NRadm times its longest edge. Used with Iadm 2.",
          "manual page, comment 3; Formulation 9, step 15",
          {D37}},
@@ -37,13 +37,14 @@ std::vector<FieldHelp> field_help_heat() {
          "manual page, definitions, equation (15); Formulation 9, step 7",
          {}},
         {"Tint",
-         "Temperature of the tool where it is constant.",
-         "Used with Ithe 1 and Ithe_form 0, else the temperatures of the tool's nodes hold.",
+         "Constant temperature of the tool.",
+         "Used with Ithe 1 and Ithe_form 0; otherwise the nodes of the tool have temperatures of their own.",
          "manual page, comment 16; Formulation 9, step 4",
          {D08}},
         {"Ithe_form",
-         "Whether the tool has temperatures of its own and is heated.",
-         "0: the tool has Tint. 1: heat goes between both sides, the nodes of the tool receive what the blank loses.",
+         "Whether the tool has nodal temperatures and is heated.",
+         "0: the tool has the temperature Tint. 1: both sides exchange heat; the nodes of the tool receive what the "
+         "blank loses.",
          "manual page, comment 16; Formulation 9, step 4; Formulation 9, step 11",
          {D16}},
         {"Frad",
@@ -53,9 +54,8 @@ std::vector<FieldHelp> field_help_heat() {
          {D11, D15}},
         {"Drad",
          "Largest distance of radiation.",
-         "Not used without Frad and Fcond. 0: Dcond where Fcond and Dcond are given, else the larger of the largest "
-         "gap and "
-         "the shortest secondary edge. A value below the largest gap of time 0 is raised to it.",
+         "Used with Frad or Fcond. 0: Dcond if Fcond and Dcond are given, otherwise the larger of the largest gap and "
+         "the shortest secondary edge. A value below the largest gap at time 0 is raised to it.",
          "manual page, comments 17 and 24, equation (16); Formulation 9, step 5",
          {D11, D15}},
         {"Fheat",

@@ -1,4 +1,4 @@
-/// @file Normal force, friction and the force on the node (Formulation chapters 7 and 8).
+/// @file Normal force, friction and the force on the node: Formulation, chapters 7 and 8.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ using namespace reference;
 
 namespace {
 
-/// The formula of the friction law, and the same with numbers; the pressure p and the speed s are on the lines before.
+/// The formula of the friction law, and the same with numbers; the pressure p and the speed s are on the lines above.
 struct Law {
     std::string formula, numbers;
 };
@@ -75,7 +75,7 @@ void add_law(const AccountInput& input, const Replay& replay, AccountSection& se
     section.add("mu", law.formula, law.numbers, replay.coefficient, "",
                 card.friction_model >= 0 ? law_source(card.ifric) + ", /FRICTION" : law_source(card.ifric));
     if (card.ifric == 4 && input.model().as_built.has(Departure::D10))
-        section.say("", "with the sign of its second term reversed", "D10");
+        section.say("", "with the sign of the second term reversed", "D10");
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ AccountSection normal_section(const AccountInput& input, const NodeContact& node
         "F_n", "F - C v_n",
         fmt::format("{} - {} x {}", digits(node.elastic_force), digits(node.damping), digits(replay.normal_velocity)),
         node.normal_force, force, "Formulation 7, step 7");
-    if (node.normal_force < 0) section.say("", "the damper pulls: kept as measured", "Formulation 7, step 6");
+    if (node.normal_force < 0) section.say("", "F_n < 0: the damper pulls; kept, as measured", "Formulation 7, step 6");
     return section;
 }
 
@@ -150,7 +150,7 @@ AccountSection friction_section(const AccountInput& input, const NodeContact& no
     if (input.inspect.has(Effect::friction_filter))
         section.add("alpha", fmt::format("Ifiltr {}", input.card().ifiltr.value), "", replay.filter, "",
                     "manual page, comment 15");
-    section.add("F_t old", "", "", input.before.friction, force, "of the cycle before");
+    section.add("F_t old", "", "", input.before.friction, force, "from the cycle before");
     const bool filtered = replay.filter != 1;
     const double increment = replay.filter * replay.input.stiffness * replay.input.step;
     section.add(filtered ? "alpha k dt" : "k dt", "",
@@ -158,7 +158,8 @@ AccountSection friction_section(const AccountInput& input, const NodeContact& no
                             digits(replay.input.step)),
                 increment, input.unit({1, 0, -1, 0}), "Formulation 8, step 9");
     section.add(
-        "T", filtered ? "F_t old + alpha k dt v, less its part along nu" : "F_t old + k dt v, less its part along nu",
+        "T",
+        filtered ? "F_t old + alpha k dt v, without its part along nu" : "F_t old + k dt v, without its part along nu",
         "", replay.friction.trial, force, filtered ? "manual page, equation (13)" : "manual page, equation (12)");
     section.add("|T|",
                 fmt::format("{} limit {}: {}", replay.friction.slips ? ">" : "<=", digits(replay.limit),
@@ -180,8 +181,10 @@ AccountSection force_section(const AccountInput& input, const NodeAccount& accou
     if (account.replay.impact)
         section.add("k_step", input.motion.step > 0 ? "k + C/dt" : "k, dt = 0", "", node.step_stiffness,
                     input.unit(dim::stiffness), "Formulation 7, step 7");
-    section.say("check", account.agrees ? "the laws give the force of the run again, to the last bit"
-                                        : "the laws do NOT give the force of the run again: please report this");
+    section.say("check",
+                account.agrees
+                    ? "evaluated again from these formulas, the force is that of the run, in every bit"
+                    : "evaluated again from these formulas, the force is NOT that of the run: please report this");
     return section;
 }
 

@@ -22,10 +22,10 @@ std::string to_text(const std::vector<InterfaceLaws>& all, const UnitSystem& uni
         text += fmt::format("interface {}{}: Ifric {}", laws.id, laws.title.empty() ? "" : " '" + laws.title + "'",
                             laws.ifric);
         if (laws.friction.empty())
-            text += ", nothing slips";
+            text += ", no node slips";
         else
             text += fmt::format(
-                ", slips with mu {} at pressures {} {} and speeds {} {}; the laws of both "
+                ", nodes slip with mu {} at pressures {} {} and speeds {} {}; the laws of the two "
                 "implementations differ by {:.2g} of mu",
                 range(laws.friction, &FrictionPoint::mu), range(laws.friction, &FrictionPoint::pressure),
                 units.name(dim::pressure), range(laws.friction, &FrictionPoint::speed), units.name(dim::velocity),

@@ -42,7 +42,7 @@ AccountLine gap_line(const AccountInput& input, double gap) {
     return line;
 }
 
-/// To the last bit, signed zeros apart.
+/// Equal in every bit, except for the sign of zeros.
 bool same(const NodeContact& node, const Replay& replay) {
     if (!replay.impact) return node.force.isZero(0.0) && node.normal_force == 0;
     return node.offset == replay.offset && node.penetration == replay.penetration &&
@@ -65,7 +65,8 @@ AccountSection place_section(const AccountInput& input) {
                 "Formulation 1, step 1");
     const double gap = input.step.active ? input.step.nodes[static_cast<size_t>(input.node)].gap : reach.gap;
     section.lines.push_back(gap_line(input, gap));
-    if (reach.gap != gap) section.add("g'", "", "", reach.gap, length, "D33: this gap decides contact");
+    if (reach.gap != gap)
+        section.add("g'", "", "", reach.gap, length, "D33: this gap decides whether there is contact");
     section.add("DEPTH", "", "", reach.depth, length, "manual page, comment 4");
     if (reach.proximity > 0)
         section.add("reach", "max(Drad, Dcond)", "", reach.proximity, length, "Formulation 3, step 5");
@@ -82,7 +83,7 @@ NodeAccount account_node(const AccountInput& input) {
         account_candidates(input.inspect, input.node, input.inspect.tool_frame(input.node, input.motion));
     if (!account.active) {
         AccountSection section{"no contact", {}};
-        section.say("", "the interface does not act at this time (Tstart, Tstop, sens_ID)", "manual page, comment 20");
+        section.say("", "the interface is not active at this time (Tstart, Tstop, sens_ID)", "manual page, comment 20");
         account.sections.push_back(std::move(section));
         return account;
     }

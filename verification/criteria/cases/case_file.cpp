@@ -9,8 +9,8 @@
 
 #include "reference/contract/departures.h"
 #include "reference/model/as_built_option.h"
-#include "verification/criteria/cases/check_forms.h"
 #include "verification/criteria/cases/covers.h"
+#include "verification/criteria/cases/criterion_forms.h"
 #include "verification/criteria/cases/toml_keys.h"
 #include "verification/support/contact_choice.h"
 
@@ -48,55 +48,57 @@ void read_runs(TomlKeys& top, const std::string& file, Case& a_case, std::vector
     }
 }
 
-CheckKind read_kind(TomlKeys& keys) {
+CriterionKind read_kind(TomlKeys& keys) {
     const std::string text = keys.text("kind");
-    for (const CheckKind kind :
-         {CheckKind::analytic, CheckKind::exact, CheckKind::external, CheckKind::cross, CheckKind::regression})
+    for (const CriterionKind kind : {CriterionKind::analytic, CriterionKind::exact, CriterionKind::external,
+                                     CriterionKind::cross, CriterionKind::regression})
         if (text == name(kind)) return kind;
     if (!text.empty())
         keys.complain(keys.line("kind"),
                       fmt::format("kind '{}' must be ANALYTIC, EXACT, EXTERNAL, CROSS or REGRESSION", text));
-    return CheckKind::analytic;
+    return CriterionKind::analytic;
 }
 
-void read_check(const toml::table& table, const std::string& file, Case& a_case, std::vector<std::string>& problems) {
+void read_criterion(const toml::table& table, const std::string& file, Case& a_case,
+                    std::vector<std::string>& problems) {
     const std::string id = table["id"].value_or(std::string());
-    TomlKeys keys(table, file, fmt::format("[[check]] '{}'", id), problems);
-    CaseCheck check;
-    check.id = keys.text("id");
-    check.line = keys.line();
-    check.kind = read_kind(keys);
-    check.equation = keys.text_or("equation", "");
-    check.with = keys.text_or("with", "");
+    TomlKeys keys(table, file, fmt::format("[[criterion]] '{}'", id), problems);
+    Criterion criterion;
+    criterion.id = keys.text("id");
+    criterion.line = keys.line();
+    criterion.kind = read_kind(keys);
+    criterion.equation = keys.text_or("equation", "");
+    criterion.with = keys.text_or("with", "");
     const auto& known = contact_choices();
-    if (!check.with.empty() && std::find(known.begin(), known.end(), check.with) == known.end())
-        keys.complain(keys.line("with"), fmt::format("with '{}' must be {}", check.with, fmt::join(known, " or ")));
+    if (!criterion.with.empty() && std::find(known.begin(), known.end(), criterion.with) == known.end())
+        keys.complain(keys.line("with"), fmt::format("with '{}' must be {}", criterion.with, fmt::join(known, " or ")));
     const std::string run = keys.text("run");
     const auto found =
         std::find_if(a_case.runs.begin(), a_case.runs.end(), [&](const CaseRun& r) { return r.name == run; });
-    check.run = static_cast<size_t>(found - a_case.runs.begin());
+    criterion.run = static_cast<size_t>(found - a_case.runs.begin());
     if (found == a_case.runs.end() && !run.empty())
         keys.complain(keys.line("run"), fmt::format("there is no [[run]] '{}'", run));
-    for (const CaseCheck& other : a_case.checks)
-        if (other.id == check.id) keys.complain(keys.line("id"), fmt::format("id '{}' is there twice", check.id));
-    read_form(keys, a_case.folder, check);
+    for (const Criterion& other : a_case.criteria)
+        if (other.id == criterion.id)
+            keys.complain(keys.line("id"), fmt::format("id '{}' is there twice", criterion.id));
+    read_form(keys, a_case.folder, criterion);
     keys.finish();
-    a_case.checks.push_back(std::move(check));
+    a_case.criteria.push_back(std::move(criterion));
 }
 
 }  // namespace
 
-std::string_view name(CheckKind kind) {
+std::string_view name(CriterionKind kind) {
     switch (kind) {
-        case CheckKind::analytic:
+        case CriterionKind::analytic:
             return "ANALYTIC";
-        case CheckKind::exact:
+        case CriterionKind::exact:
             return "EXACT";
-        case CheckKind::external:
+        case CriterionKind::external:
             return "EXTERNAL";
-        case CheckKind::cross:
+        case CriterionKind::cross:
             return "CROSS";
-        case CheckKind::regression:
+        case CriterionKind::regression:
             return "REGRESSION";
     }
     return "";
@@ -134,29 +136,29 @@ Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
     a_case.family = top.text_or("family", "");
     if (!a_case.family.empty() &&
         std::find(case_families().begin(), case_families().end(), a_case.family) == case_families().end())
-        top.complain(top.line("family"),
-                     fmt::format("family '{}' must be one of: {}", a_case.family, fmt::join(case_families(), ", ")));
+        top.complain(top.line("family"), fmt::format("case family '{}' must be one of: {}", a_case.family,
+                                                     fmt::join(case_families(), ", ")));
     read_runs(top, file, a_case, problems);
-    for (const toml::table* check : top.tables("check"))
-        read_check(*check, file, a_case, problems);
+    for (const toml::table* criterion : top.tables("criterion"))
+        read_criterion(*criterion, file, a_case, problems);
     top.finish();
 
     std::vector<bool> looked_at(a_case.runs.size());
-    for (const CaseCheck& check : a_case.checks)
-        if (check.run < looked_at.size()) looked_at[check.run] = true;
+    for (const Criterion& criterion : a_case.criteria)
+        if (criterion.run < looked_at.size()) looked_at[criterion.run] = true;
     for (size_t i = 0; i < looked_at.size(); ++i)
         if (!looked_at[i])
-            problems.push_back(fmt::format("{}:1: [[run]] '{}' has no check", file, a_case.runs[i].name));
+            problems.push_back(fmt::format("{}:1: [[run]] '{}' has no criterion", file, a_case.runs[i].name));
     return a_case;
 }
 
 std::vector<FileRule> rules_of(const Case& a_case, const std::string& as_built_text, bool& foreign) {
     std::vector<FileRule> same, any;
-    for (const CaseCheck& check : a_case.checks) {
-        const auto* history = std::get_if<HistoryCheck>(&check.form);
+    for (const Criterion& criterion : a_case.criteria) {
+        const auto* history = std::get_if<HistoryCriterion>(&criterion.form);
         if (!history) continue;
         Problems ignored;  // read_case has complained about them
-        const bool is_same = parse_as_built(a_case.runs[check.run].as_built, ignored).text() == as_built_text;
+        const bool is_same = parse_as_built(a_case.runs[criterion.run].as_built, ignored).text() == as_built_text;
         (is_same ? same : any).push_back(history->rule);
     }
     foreign = same.empty() && !any.empty();

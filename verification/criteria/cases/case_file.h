@@ -1,4 +1,4 @@
-/// @file case.toml: what a case runs and what must come out. The format is documented in cases/README.md.
+/// @file case.toml: the runs of a case and its criteria. cases/README.md documents the format.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 namespace type21 {
 
 /// Where the expected value comes from.
-enum class CheckKind { analytic, exact, external, cross, regression };
+enum class CriterionKind { analytic, exact, external, cross, regression };
 
-std::string_view name(CheckKind kind);
+std::string_view name(CriterionKind kind);
 
-/// The families that the report shows first: "patch test", "sliding continuity", "friction law", "Pmax limit".
+/// The case families that the report shows first: "patch test", "sliding continuity", "friction law", "Pmax limit".
 const std::vector<std::string>& case_families();
 
 struct CaseRun {
@@ -28,7 +28,7 @@ struct CaseRun {
 };
 
 /// Form 1: a whole history.
-struct HistoryCheck {
+struct HistoryCriterion {
     FileRule rule;
 };
 
@@ -40,7 +40,7 @@ struct At {
 };
 
 /// Form 2: one value.
-struct ValueCheck {
+struct ValueCriterion {
     std::string file, column;
     At at;
     std::optional<Id> object;
@@ -49,23 +49,23 @@ struct ValueCheck {
 };
 
 /// Form 3: a residual of InterfaceBalance.
-struct BalanceCheck {
+struct BalanceCriterion {
     std::string quantity;
     std::optional<Id> interface;
 };
 
 /// Form 4: a deck that must be refused.
-struct RefusalCheck {
+struct RefusalCriterion {
     std::string message;  ///< regular expression
 };
 
 /// Form 5: a run that must stop.
-struct StopCheck {
+struct StopCriterion {
     std::string message;  ///< regular expression
 };
 
 /// Form 6: ours minus measured is a known amount.
-struct DepartureCheck {
+struct DepartureCriterion {
     std::string reference, file, column;
     At at;
     std::optional<Id> object;
@@ -73,15 +73,18 @@ struct DepartureCheck {
     bool absolute = false;
 };
 
-struct CaseCheck {
+/// What a run must fulfil.
+struct Criterion {
     std::string id;
     size_t run = 0;  ///< index into Case::runs
-    CheckKind kind = CheckKind::analytic;
+    CriterionKind kind = CriterionKind::analytic;
     double tolerance = 0;
     std::string reason, equation, unit;
-    std::string with;  ///< the only implementation that it is asked of, empty: all
+    std::string with;  ///< the only implementation that it applies to; empty: all
     int line = 0;
-    std::variant<HistoryCheck, ValueCheck, BalanceCheck, RefusalCheck, StopCheck, DepartureCheck> form;
+    std::variant<HistoryCriterion, ValueCriterion, BalanceCriterion, RefusalCriterion, StopCriterion,
+                 DepartureCriterion>
+        form;
 };
 
 struct Case {
@@ -92,15 +95,15 @@ struct Case {
     std::string family;               ///< one of case_families(), empty: none
     std::vector<std::string> covers;  ///< rows of the traceability table that the case shows
     std::vector<CaseRun> runs;
-    std::vector<CaseCheck> checks;
+    std::vector<Criterion> criteria;
 };
 
 /// Reads folder/case.toml. Every problem is one line "file:line: what is wrong" in `problems`; the case is complete
 /// only when none was added.
 Case read_case(const std::filesystem::path& folder, std::vector<std::string>& problems);
 
-/// What a case says about comparing a run with its measured files: the rules of the runs with this as-built set, or,
-/// when no run has it, of any run. `foreign` is then true.
+/// The rules of a case for comparing a run with its measured files: those of the runs with this as-built set or, if no
+/// run has it, of all runs; `foreign` is then true.
 std::vector<FileRule> rules_of(const Case& a_case, const std::string& as_built_text, bool& foreign);
 
 }  // namespace type21

@@ -1,4 +1,4 @@
-/// @file The content of files as one short text, to see whether something changed.
+/// @file A digest of the content of files, to see whether something changed.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 namespace type21 {
 
 /// 128 bits of xxHash in hex, over the bytes of a file, or over the names and bytes of all files below a folder.
-/// @throws std::runtime_error for what cannot be read
+/// @throws std::runtime_error if a file cannot be read
 std::string digest_of(const std::filesystem::path& file_or_folder);
 
 /// The same over the text itself.

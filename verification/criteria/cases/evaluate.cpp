@@ -12,28 +12,28 @@
 namespace type21 {
 namespace {
 
-void set_expected(CheckResult& result, double value) {
+void set_expected(CriterionResult& result, double value) {
     result.expected = fmt::format("{:.10g}", value);
     result.expected_number = value;
 }
 
-void set_got(CheckResult& result, double value) {
+void set_got(CriterionResult& result, double value) {
     result.got = fmt::format("{:.10g}", value);
     if (std::isfinite(value)) result.got_number = value;
 }
 
-void set_texts(CheckResult& result, const std::string& expected, const std::string& got) {
+void set_texts(CriterionResult& result, const std::string& expected, const std::string& got) {
     result.expected = expected;
     result.got = got;
 }
 
 /// A NaN fails: every comparison with it is false.
-void judge(CheckResult& result, double difference) {
+void judge(CriterionResult& result, double difference) {
     result.difference = difference;
     result.ok = difference <= result.tolerance;
 }
 
-void judge_value(CheckResult& result, double got, double expected, bool absolute) {
+void judge_value(CriterionResult& result, double got, double expected, bool absolute) {
     set_expected(result, expected);
     set_got(result, got);
     judge(result, std::abs(got - expected) / (absolute ? 1.0 : std::abs(expected)));
@@ -41,10 +41,10 @@ void judge_value(CheckResult& result, double got, double expected, bool absolute
 
 class Evaluation {
   public:
-    Evaluation(const Case& a_case, const CaseOutcome& outcome, CheckResult& result)
+    Evaluation(const Case& a_case, const CaseOutcome& outcome, CriterionResult& result)
         : case_(a_case), outcome_(outcome), result_(result) {}
 
-    void operator()(const HistoryCheck& form) {
+    void operator()(const HistoryCriterion& form) {
         const TableResult table = compare_tables(read_csv(outcome_.folder / form.rule.ours),
                                                  read_csv(case_.folder / form.rule.reference), form.rule.options);
         result_.expected = form.rule.reference;
@@ -63,20 +63,20 @@ class Evaluation {
         result_.ok = table.ok();
     }
 
-    void operator()(const ValueCheck& form) {
+    void operator()(const ValueCriterion& form) {
         const double got = value_at(read_csv(outcome_.folder / form.file), form.column, form.at, form.object);
         judge_value(result_, got, form.expected, form.absolute);
         result_.detail = fmt::format("{} of {}", form.column, form.file);
     }
 
-    void operator()(const DepartureCheck& form) {
+    void operator()(const DepartureCriterion& form) {
         const double ours = value_at(read_csv(outcome_.folder / form.file), form.column, form.at, form.object);
         const double measured = value_at(read_csv(case_.folder / form.reference), form.column, form.at, form.object);
         judge_value(result_, ours - measured, form.by, form.absolute);
         result_.detail = fmt::format("ours {:.10g}, measured {:.10g}", ours, measured);
     }
 
-    void operator()(const BalanceCheck& form) {
+    void operator()(const BalanceCriterion& form) {
         result_.expected = "0";
         result_.expected_number = 0;
         result_.unit = "of the sum of absolute terms";
@@ -94,12 +94,12 @@ class Evaluation {
             result_.detail = fmt::format("interface {}, cycle {}", outcome_.interfaces[i], residual.cycle);
         }
         if (!found) throw NoValue("the deck has no such interface");
-        if (cycles == 0) throw NoValue("no node was ever in contact: nothing was balanced");
+        if (cycles == 0) throw NoValue("no node was in contact in any cycle: there is nothing to balance");
         set_got(result_, worst);
         judge(result_, worst);
     }
 
-    void operator()(const RefusalCheck& form) {
+    void operator()(const RefusalCriterion& form) {
         const std::regex pattern(form.message);
         const auto found = std::find_if(outcome_.problems.begin(), outcome_.problems.end(),
                                         [&](const std::string& text) { return std::regex_search(text, pattern); });
@@ -110,7 +110,7 @@ class Evaluation {
         if (!result_.ok && !outcome_.problems.empty()) result_.detail = outcome_.problems.front();
     }
 
-    void operator()(const StopCheck& form) {
+    void operator()(const StopCriterion& form) {
         const bool stopped = outcome_.summary.state == RunSummary::State::stopped ||
                              outcome_.summary.state == RunSummary::State::diverged;
         set_texts(result_, "stop: " + form.message, stopped ? outcome_.summary.reason : "run completed");
@@ -120,43 +120,43 @@ class Evaluation {
   private:
     const Case& case_;
     const CaseOutcome& outcome_;
-    CheckResult& result_;
+    CriterionResult& result_;
 };
 
 bool expects_stop(const Case& a_case, size_t run) {
-    return std::any_of(a_case.checks.begin(), a_case.checks.end(), [&](const CaseCheck& check) {
-        return check.run == run && std::holds_alternative<StopCheck>(check.form);
+    return std::any_of(a_case.criteria.begin(), a_case.criteria.end(), [&](const Criterion& criterion) {
+        return criterion.run == run && std::holds_alternative<StopCriterion>(criterion.form);
     });
 }
 
-/// Why no check of this run can hold; empty when there is no such reason.
-std::string run_failure(const Case& a_case, const CaseCheck& check, const CaseOutcome& outcome) {
+/// Why no criterion of this run can hold; empty if they can.
+std::string run_failure(const Case& a_case, const Criterion& criterion, const CaseOutcome& outcome) {
     if (!outcome.error.empty()) return outcome.error;
-    if (std::holds_alternative<RefusalCheck>(check.form)) return "";
+    if (std::holds_alternative<RefusalCriterion>(criterion.form)) return "";
     if (outcome.refused)
         return "the deck is refused: " +
                (outcome.problems.empty() ? std::string("no message") : outcome.problems.front());
-    if (outcome.summary.state != RunSummary::State::completed && !expects_stop(a_case, check.run))
+    if (outcome.summary.state != RunSummary::State::completed && !expects_stop(a_case, criterion.run))
         return fmt::format("the run {}: {}", name(outcome.summary.state), outcome.summary.reason);
     return "";
 }
 
 }  // namespace
 
-CheckResult evaluate(const Case& a_case, const CaseCheck& check, const CaseOutcome& outcome) {
-    CheckResult result;
-    result.id = check.id;
+CriterionResult evaluate(const Case& a_case, const Criterion& criterion, const CaseOutcome& outcome) {
+    CriterionResult result;
+    result.id = criterion.id;
     result.case_name = a_case.name;
-    result.run = a_case.runs[check.run].name;
-    result.kind = name(check.kind);
-    result.equation = check.equation;
-    result.tolerance = check.tolerance;
-    result.unit = check.unit;
-    result.reason = check.reason;
+    result.run = a_case.runs[criterion.run].name;
+    result.kind = name(criterion.kind);
+    result.equation = criterion.equation;
+    result.tolerance = criterion.tolerance;
+    result.unit = criterion.unit;
+    result.reason = criterion.reason;
     result.seconds = outcome.seconds;
     try {
-        result.detail = run_failure(a_case, check, outcome);
-        if (result.detail.empty()) std::visit(Evaluation(a_case, outcome, result), check.form);
+        result.detail = run_failure(a_case, criterion, outcome);
+        if (result.detail.empty()) std::visit(Evaluation(a_case, outcome, result), criterion.form);
     } catch (const std::exception& error) {
         result.ok = false;
         result.detail = error.what();

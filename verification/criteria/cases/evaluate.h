@@ -1,14 +1,14 @@
-/// @file Judges a check against what its run did.
+/// @file Evaluates a criterion on the results of its run.
 #pragma once
 
 #include "verification/criteria/cases/case_file.h"
-#include "verification/criteria/cases/check_result.h"
+#include "verification/criteria/cases/criterion_result.h"
 #include "verification/criteria/cases/run_case.h"
 
 namespace type21 {
 
-/// Never throws: what cannot be evaluated has failed, and `detail` says why. A run that was refused or stopped fails
-/// every check of that run unless a check expects just that.
-CheckResult evaluate(const Case& a_case, const CaseCheck& check, const CaseOutcome& outcome);
+/// Never throws: a criterion that cannot be evaluated fails, and `detail` says why. If the run was refused or stopped,
+/// all its criteria fail, unless one of them expects that.
+CriterionResult evaluate(const Case& a_case, const Criterion& criterion, const CaseOutcome& outcome);
 
 }  // namespace type21

@@ -20,8 +20,8 @@ struct CaseOutcome {
     double seconds = 0;            ///< of wall time, deck included
 };
 
-/// Never throws: what goes wrong is in the outcome.
-/// @param with  who computes the contact, one of contact_choices()
+/// Never throws: errors are in the outcome.
+/// @param with  implementation of the contact, one of contact_choices()
 CaseOutcome run_case(const CaseRun& run, const std::filesystem::path& folder, const std::string& with);
 
 }  // namespace type21

@@ -1,4 +1,4 @@
-/// @file The keys of one TOML table, each asked for by type; what was not asked for is unknown.
+/// @file The keys of one TOML table, each asked for by type; keys that were not asked for are unknown.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace type21 {
 /// Reads keys and collects complaints with file and line. A missing key reads as empty or 0.
 class TomlKeys {
   public:
-    /// @param where  what the table is, for messages: "[[check]] 'interface'"
+    /// @param where  what the table is, for messages: "[[criterion]] 'interface'"
     TomlKeys(const toml::table& table, std::string file, std::string where, std::vector<std::string>& problems);
 
     bool has(std::string_view key) const { return table_.contains(key); }
@@ -38,7 +38,7 @@ class TomlKeys {
     const toml::node* node(std::string_view key);
 
     void complain(int line, const std::string& what);
-    /// A complaint for each key that nobody asked for.
+    /// Adds a complaint for each key that was not asked for.
     void finish();
 
   private:

@@ -10,7 +10,7 @@
 
 namespace type21 {
 
-/// The history does not have what a check asks for.
+/// The history does not have the value that a criterion names.
 struct NoValue : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -8,7 +8,7 @@
 
 #include "verification/criteria/cases/digest.h"
 #include "verification/criteria/cases/evaluate.h"
-#include "verification/criteria/cases/kept_checks.h"
+#include "verification/criteria/cases/kept_results.h"
 #include "verification/criteria/cases/run_case.h"
 #include "verification/support/in_parallel.h"
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of all that the checks of each case depend on, but for the name of the run: the program, who computes, the files.
+/// A key of each case: the program, the implementation and the files of the case. The name of the run is added later.
 std::vector<std::string> keys_of(const std::vector<Case>& cases, const std::string& with) {
     const std::string program = digest_of("/proc/self/exe");
     std::vector<std::string> keys;
@@ -26,15 +26,15 @@ std::vector<std::string> keys_of(const std::vector<Case>& cases, const std::stri
     return keys;
 }
 
-std::vector<CheckResult> checks_of(const Case& a_case, size_t run, const CaseOutcome& outcome,
-                                   const std::string& with) {
-    std::vector<CheckResult> results;
-    for (const CaseCheck& check : a_case.checks) {
-        if (check.run != run) continue;
-        CheckResult result = evaluate(a_case, check, outcome);
-        if (!check.with.empty() && check.with != with) {
+std::vector<CriterionResult> results_of(const Case& a_case, size_t run, const CaseOutcome& outcome,
+                                        const std::string& with) {
+    std::vector<CriterionResult> results;
+    for (const Criterion& criterion : a_case.criteria) {
+        if (criterion.run != run) continue;
+        CriterionResult result = evaluate(a_case, criterion, outcome);
+        if (!criterion.with.empty() && criterion.with != with) {
             result.ok = result.skipped = true;
-            result.detail = "asked of " + check.with + " only";
+            result.detail = "applies to " + criterion.with + " only";
         }
         results.push_back(std::move(result));
     }
@@ -62,16 +62,16 @@ std::vector<Case> read_cases(const fs::path& root, const std::vector<std::string
     return cases;
 }
 
-std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::path& scratch, int jobs,
-                                      const std::function<void(const VerifyProgress&)>& progress,
-                                      const std::string& with, bool keep) {
+std::vector<CriterionResult> verify_cases(const std::vector<Case>& cases, const fs::path& scratch, int jobs,
+                                          const std::function<void(const VerifyProgress&)>& progress,
+                                          const std::string& with, bool keep) {
     struct Task {
         size_t a_case = 0, run = 0;
     };
     std::vector<Task> tasks;
-    std::vector<std::vector<CheckResult>> results(cases.size());
+    std::vector<std::vector<CriterionResult>> results(cases.size());
     for (size_t c = 0; c < cases.size(); ++c) {
-        results[c].resize(cases[c].checks.size());
+        results[c].resize(cases[c].criteria.size());
         for (size_t r = 0; r < cases[c].runs.size(); ++r)
             tasks.push_back({c, r});
     }
@@ -84,20 +84,20 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
         const CaseRun& run = a_case.runs[tasks[t].run];
         const fs::path folder = scratch / a_case.name / run.name;
         const std::string key = digest_of_text(keys[tasks[t].a_case] + " " + run.name);
-        std::optional<std::vector<CheckResult>> checks = keep ? kept_checks(folder, key) : std::nullopt;
-        VerifyProgress report{0, tasks.size(), a_case.name, run.name, 0, 0, checks.has_value()};
-        if (!checks) {
+        std::optional<std::vector<CriterionResult>> of_run = keep ? kept_results(folder, key) : std::nullopt;
+        VerifyProgress report{0, tasks.size(), a_case.name, run.name, 0, 0, of_run.has_value()};
+        if (!of_run) {
             const CaseOutcome outcome = run_case(run, folder, with);
             report.seconds = outcome.seconds;
-            checks = checks_of(a_case, tasks[t].run, outcome, with);
-            if (keep) keep_checks(folder, key, *checks);
+            of_run = results_of(a_case, tasks[t].run, outcome, with);
+            if (keep) keep_results(folder, key, *of_run);
         }
         size_t next = 0;
-        for (size_t i = 0; i < a_case.checks.size(); ++i) {
-            if (a_case.checks[i].run != tasks[t].run) continue;
-            // Each check belongs to one run: no two threads write the same entry.
-            CheckResult& result = results[tasks[t].a_case][i];
-            result = std::move(checks->at(next++));
+        for (size_t i = 0; i < a_case.criteria.size(); ++i) {
+            if (a_case.criteria[i].run != tasks[t].run) continue;
+            // Each criterion belongs to one run: no two threads write the same entry.
+            CriterionResult& result = results[tasks[t].a_case][i];
+            result = std::move(of_run->at(next++));
             if (!result.ok) ++report.failed;
         }
         const std::lock_guard<std::mutex> lock(reporting);
@@ -105,9 +105,9 @@ std::vector<CheckResult> verify_cases(const std::vector<Case>& cases, const fs::
         if (progress) progress(report);
     });
 
-    std::vector<CheckResult> flat;
-    for (std::vector<CheckResult>& of_case : results)
-        for (CheckResult& result : of_case)
+    std::vector<CriterionResult> flat;
+    for (std::vector<CriterionResult>& of_case : results)
+        for (CriterionResult& result : of_case)
             flat.push_back(std::move(result));
     return flat;
 }

@@ -12,7 +12,7 @@
 
 namespace type21 {
 
-/// What is stepped.
+/// A run to step.
 struct LockstepTarget {
     std::string name;  ///< "incline/documented", or the path of a deck
     CaseRun run;
@@ -23,22 +23,23 @@ struct LockstepRecord {
     LockstepResult result;
     bool refused = false;         ///< the deck has errors: nothing was run
     std::string error;            ///< the first of them, or an internal error
-    std::optional<double> apart;  ///< free runs: largest difference of a history relative to its scale [-]
+    std::optional<double> apart;  ///< separate runs: largest difference of a history relative to its scale [-]
     std::string apart_where;      ///< file and column of it
     double seconds = 0;           ///< of wall time
 
-    /// The decisions are the same, all else within lockstep_ulps. A refused deck is not wrong.
+    /// The decisions are the same, and the numbers within lockstep_ulps. A refused deck counts as ok.
     bool ok() const;
 };
 
 struct LockstepOptions {
     int jobs = 1;
-    /// Free runs as well, each with its own contact, with their results in this folder; empty: none.
+    /// Folder for separate runs of both, each with its own contact; empty: none.
     std::filesystem::path free_runs;
     std::function<void(const LockstepRecord&)> progress;  ///< after each, never twice at the same time
 };
 
-/// The runs of cases, each as its case.toml says; with `as_built` each deck once with these departures.
+/// The runs of the cases, with the departures of their case.toml; with `as_built` each deck once, with these
+/// departures.
 std::vector<LockstepTarget> lockstep_targets(const std::vector<Case>& cases,
                                              const std::optional<std::string>& as_built);
 

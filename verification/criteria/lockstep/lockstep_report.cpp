@@ -94,14 +94,15 @@ std::string to_text(const std::vector<LockstepRecord>& records) {
         all += record.result;
     }
     text += fmt::format("{} runs, {} refused: {}\n", records.size(), refused, counts(all));
-    text += "differences in ulps of the magnitudes that enter:\n" + table(all);
+    text += "differences in ulps of the magnitudes that enter a number:\n" + table(all);
     if (all.grazing > 0)
-        text += fmt::format("{} times a node's penetration was one to one of them and rounding to the other\n",
+        text += fmt::format("{} times a node penetrated in one implementation only, by no more than rounding\n",
                             all.grazing);
     if (apart >= 0)
-        text += fmt::format("free runs: histories apart by at most {:.3g} of their scale ({})\n", apart, apart_where);
+        text +=
+            fmt::format("separate runs: histories differ by at most {:.3g} of their scale ({})\n", apart, apart_where);
     if (bad == 0)
-        text += fmt::format("the same decisions everywhere, all else within {} ulps\n", lockstep_ulps);
+        text += fmt::format("all decisions are the same, all numbers agree within {} ulps\n", lockstep_ulps);
     else
         text += fmt::format("{} of {} runs DIFFER\n", bad, records.size());
     return text;
@@ -138,23 +139,23 @@ Json to_json(const std::vector<LockstepRecord>& records) {
     return json;
 }
 
-CheckResult lockstep_check(const LockstepRecord& record, const std::string& case_name, const std::string& run) {
-    CheckResult check;
-    check.id = "lockstep";
-    check.case_name = case_name;
-    check.run = run;
-    check.kind = "CROSS";
-    check.equation = "optimized = reference";
-    check.expected = "the same decisions";
-    check.got = fmt::format("{} of {} differ", record.result.different, record.result.decisions);
-    check.difference = record.result.largest();
-    check.tolerance = lockstep_ulps;
-    check.unit = "ulps";
-    check.reason = "The same equations with a handful of roundings in another order.";
-    check.ok = record.ok() && !record.refused;
-    check.seconds = record.seconds;
-    if (!check.ok) check.detail = trouble(record);
-    return check;
+CriterionResult lockstep_criterion(const LockstepRecord& record, const std::string& case_name, const std::string& run) {
+    CriterionResult criterion;
+    criterion.id = "lockstep";
+    criterion.case_name = case_name;
+    criterion.run = run;
+    criterion.kind = "CROSS";
+    criterion.equation = "optimized = reference";
+    criterion.expected = "the same decisions";
+    criterion.got = fmt::format("{} of {} differ", record.result.different, record.result.decisions);
+    criterion.difference = record.result.largest();
+    criterion.tolerance = lockstep_ulps;
+    criterion.unit = "ulps";
+    criterion.reason = "The same equations, with a few roundings in another order.";
+    criterion.ok = record.ok() && !record.refused;
+    criterion.seconds = record.seconds;
+    if (!criterion.ok) criterion.detail = trouble(record);
+    return criterion;
 }
 
 }  // namespace type21

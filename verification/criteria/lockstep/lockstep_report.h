@@ -6,18 +6,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/criteria/cases/check_result.h"
+#include "verification/criteria/cases/criterion_result.h"
 #include "verification/criteria/lockstep/lockstep_decks.h"
 
 namespace type21 {
 
-/// What differs, each deck that is excepted or refused, and the sums over all.
+/// The differences, each refused deck, and the sums over all runs.
 std::string to_text(const std::vector<LockstepRecord>& records);
 
 /// {"ulps_allowed", "ok", "all": {...}, "runs": [{...}]}; infinite differences are the string "inf".
 nlohmann::ordered_json to_json(const std::vector<LockstepRecord>& records);
 
-/// The same as a check of the case and run: the largest difference of a force, a heat, a stiffness or a sum in ulps.
-CheckResult lockstep_check(const LockstepRecord& record, const std::string& case_name, const std::string& run);
+/// The comparison as a criterion of a run: the largest difference of a force, a heat, a stiffness or a sum in ulps.
+CriterionResult lockstep_criterion(const LockstepRecord& record, const std::string& case_name, const std::string& run);
 
 }  // namespace type21

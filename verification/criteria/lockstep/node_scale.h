@@ -1,4 +1,4 @@
-/// @file The magnitudes whose last place a difference between two implementations is measured in.
+/// @file The magnitudes that differences between two implementations are measured by.
 #pragma once
 
 #include "reference/contract/contact_step.h"
@@ -8,19 +8,19 @@
 namespace type21 {
 
 /// Magnitudes that enter the numbers of one node. A penetration is the small difference of coordinates and gap, a
-/// relative velocity that of two velocities: both are known to a unit in the last place of what they are made of, not
-/// of what is left.
+/// relative velocity that of two velocities: both are accurate to a unit in the last place of the operands, not of the
+/// difference.
 struct NodeScale {
     double length = 0;     ///< largest tool-frame coordinate plus the gap; with D12 global ones, too [length]
     double force = 0;      ///< k (length) + |F| + (C + k dt) (velocities that are subtracted) [force]
     double stiffness = 0;  ///< k + C/dt [force/length]
     double heat = 0;       ///< see node_scale.cpp [energy]
     double speed = 0;      ///< |v| + |V| + |Omega| arm [velocity]
-    double arm = 0;        ///< from x_G to the node, and what it is the difference of [length]
+    double arm = 0;        ///< from x_G to the node, with the coordinates it is the difference of [length]
 };
 
 /// @param i     rank of the secondary node
-/// @param node  what the reference says of it
+/// @param node  the result of the reference for it
 /// @param d12   departure D12 is on
 NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, const Motion& motion, bool d12);
 

@@ -54,7 +54,7 @@ LockstepResult::LockstepResult() {
 struct StepDifference::Scales {
     double force = 0, moment = 0, stiffness = 0, rotation = 0, work = 0, energy = 0, heat = 0;
     double damping = 0, damping_moment = 0;
-    bool grazes = false;  ///< a stiffness acts for one of the two
+    bool grazes = false;  ///< a stiffness acts in one of the two only
 };
 
 void StepDifference::add(const ContactStep& reference, const ContactStep& other, const Motion& motion, long cycle) {
@@ -99,11 +99,11 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
     sum.stiffness += scale.stiffness;
     sum.rotation += scale.stiffness * scale.arm * scale.arm;
     sum.work += scale.force * scale.speed;
-    // k p (error of p): where p is rounding itself, its square.
+    // k p times the error of p; if p itself is rounding, its square.
     const double rounding = 32 * ulp_of_one * scale.length;
     sum.energy += scale.force * (reference.penetration + rounding) + std::abs(reference.elastic_energy);
     sum.heat += scale.heat;
-    // When a node begins to slide hangs on the last bit, where the trial force comes to the limit itself.
+    // The cycle in which a node begins to slide depends on the last bit if the trial force just reaches the limit.
     if (card_.pskid > 0 && reference.status == Status::slip && other.status == Status::slip)
         skid(i, reference.skid - other.skid, scale.force);
     if (reference.status == Status::open && other.status == Status::open) {
@@ -111,8 +111,8 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
         return;
     }
     ++result_.in_contact;
-    // Whether a penetration of a few units in the last place is one hangs on the last rounding of both, and with it
-    // whether the stiffness acts.
+    // A penetration of a few units in the last place may be zero in the other implementation, by rounding. The
+    // stiffness then acts in one of the two only.
     const bool one_open = (reference.status == Status::open) != (other.status == Status::open);
     const bool one_acts = (reference.stiffness == 0) != (other.stiffness == 0);
     const double deep = std::max(reference.penetration, other.penetration);
@@ -130,7 +130,7 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
     if (card_.ithe != 0) tally(heat, std::abs(reference.heat - other.heat), scale.heat);
 }
 
-/// A share of the skid line as the friction force that leaves it, which may have acted long ago.
+/// Compares a ratio of the skid line as the friction force that caused it, which may have acted long ago.
 void StepDifference::skid(size_t i, double apart, double force_scale) {
     if (skid_scale_.empty()) skid_scale_.resize(static_cast<size_t>(card_.secondary.size()), 0.0);
     skid_scale_[i] = std::max(skid_scale_[i], force_scale);
@@ -154,7 +154,7 @@ void StepDifference::sums(const ContactStep& reference, const ContactStep& other
     add_sum("heat_to_tool", std::abs(a.heat_to_tool - b.heat_to_tool), scale.heat);
     add_sum("tool force", largest(p.force - q.force), scale.force);
     add_sum("tool moment", largest(p.moment - q.moment), scale.moment);
-    if (scale.grazes) return;  // a stiffness that acts for one of them only
+    if (scale.grazes) return;  // a stiffness acts in one of them only
     add_sum("tool damping", largest(p.damping_force - q.damping_force), scale.damping);
     add_sum("tool damping moment", largest(p.damping_moment - q.damping_moment), scale.damping_moment);
     add_sum("step stiffness", std::abs(p.step_stiffness - q.step_stiffness), scale.stiffness);

@@ -1,4 +1,4 @@
-/// @file One cycle of one interface, said by two.
+/// @file Compares one cycle of one interface between two implementations.
 #pragma once
 
 #include "verification/criteria/lockstep/lockstep.h"
@@ -28,7 +28,7 @@ class StepDifference {
     LockstepResult& result_;
     LockstepPlace place_;
     std::vector<double> noise_;       ///< largest scale of the force since each node's contact began [force]
-    std::vector<double> skid_scale_;  ///< and since the start, where there is a skid line [force]
+    std::vector<double> skid_scale_;  ///< and since the start, if there is a skid line [force]
 };
 
 }  // namespace type21

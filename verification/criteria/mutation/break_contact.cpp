@@ -6,7 +6,7 @@ namespace type21 {
 
 namespace {
 
-/// Stands before a sound contact; the parts that no mutation touches are handed through.
+/// Wraps a sound contact; the parts that no mutation changes are passed on.
 class Before : public ContactMethod {
   public:
     explicit Before(std::unique_ptr<ContactMethod> sound) : sound_(std::move(sound)) {}

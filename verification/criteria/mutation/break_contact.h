@@ -1,5 +1,5 @@
-/// @file Ways to break a contact without a word in its code: what goes in is changed, or what comes out.
-/// The host, the checks and the balances know nothing of it.
+/// @file Ways to break a contact from outside, by a change of its input or of its output. The contact itself, the host,
+/// the criteria and the balances are unchanged.
 #pragma once
 
 #include <optional>
@@ -15,25 +15,25 @@ BreakContact without_effect(Effect effect);
 /// The contact is given another motion.
 BreakContact broken_motion(std::function<void(Motion&, const Interface&)> change);
 
-/// Changes what a contact says of a cycle; one for each interface, so that it may remember.
+/// Changes the output of a contact in a cycle. There is one for each interface, so it may keep a state.
 using BreakStep = std::function<void(ContactStep&, const Motion&)>;
 BreakContact broken_step(std::function<BreakStep(const Scene&, int interface)> make);
-/// The same where nothing is remembered.
+/// The same without a state.
 BreakContact broken_sums(std::function<void(ContactStep&)> change);
-/// Each node in contact is changed, then the sums are formed again.
+/// Changes each node in contact, then forms the sums again.
 BreakContact broken_nodes(std::function<void(NodeContact&)> change);
 
-/// A new contact in every cycle: nothing is remembered.
+/// Makes a new contact in every cycle, so that its state is lost.
 BreakContact forgetful();
 
 /// Whether the interface computes the effect.
 std::function<bool(const HostScene&, int)> has_effect(Effect effect);
-/// Whether the scene's step is not given by /DTIX alone.
+/// Whether the time step is not fixed by /DTIX.
 bool own_step(const HostScene& scene, int interface);
-/// Whether the interface's card is such.
+/// Whether the card of the interface meets a condition.
 std::function<bool(const HostScene&, int)> has_card(std::function<bool(const Interface&)> such);
 
-/// Sums and loads of the tool, but for its damping, from the nodes as they are.
+/// Forms the sums and the loads of the tool, except its damping, from the nodes.
 void sum_again(ContactStep& step, const Motion& motion, const Interface& card);
 
 }  // namespace type21

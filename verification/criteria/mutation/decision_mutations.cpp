@@ -1,4 +1,4 @@
-// Decisions (formulation sections 3 and 4), judged by the truth files of cases/decisions.
+// Decisions, tested against the exact answers of cases/decisions.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ double above(double value) {
     return std::nextafter(value, infinite);
 }
 
-/// The reference with another question.
+/// The reference, asked a changed question.
 BreakDecision asked(const std::function<void(DecisionQuery&)>& change) {
     return [=](const DecisionTool& tool, const DecisionQuery& query) {
         DecisionQuery changed = query;
@@ -68,10 +68,10 @@ DecisionAnswer side_reversed(const DecisionTool& tool, const DecisionQuery& quer
 }  // namespace
 
 std::vector<Mutation> decision_mutations() {
-    DecisionRules low, high, race, leaning;
+    DecisionRules low, high, competing, leaning;
     low.limits.low = above(low.limits.low);
     high.limits.high = std::nextafter(high.limits.high, 0.0);
-    race.proximity_competes = true;
+    competing.proximity_competes = true;
     leaning.limits.lift_leaning = true;
     const std::string kappa = "retained impact, kappa";
     return {
@@ -89,7 +89,7 @@ std::vector<Mutation> decision_mutations() {
          asked([](DecisionQuery& q) { q.depth = above(q.depth); })},
         {"reach_one_ulp",
          "proximity, Drad",
-         "the reach of the heat is one unit in the last place larger",
+         "the reach of heat exchange is one unit in the last place larger",
          {},
          {},
          asked([](DecisionQuery& q) { q.reach = q.reach > 0 ? above(q.reach) : 0.0; })},
@@ -106,10 +106,10 @@ std::vector<Mutation> decision_mutations() {
          {},
          ruled(high)},
         {"tie_reversed", kappa, "the higher segment wins a tie", {}, {}, ties_reversed},
-        {"one_race", kappa, "proximity competes with contact", {}, {}, ruled(race)},
+        {"proximity_competes", kappa, "proximity competes with contact", {}, {}, ruled(competing)},
         {"leaning_lifted",
          "projection, step 1",
-         "normals that lean away from the triangle are lifted along",
+         "corners are lifted also along normals that lean away from the triangle",
          {},
          {},
          ruled(leaning)},
@@ -120,7 +120,7 @@ std::vector<Mutation> decision_mutations() {
          {},
          candidate_dropped},
         {"normals_flipped", "projection, nodal normals", "the nodal normals point inward", {}, {}, normals_flipped},
-        {"exactness_off", "exact decisions", "all in plain double arithmetic", {}, {}, in_double},
+        {"exactness_off", "exact decisions", "all decisions in plain double arithmetic", {}, {}, in_double},
         {"side_reversed", "side of the plane", "outward and behind are exchanged", {}, {}, side_reversed},
     };
 }

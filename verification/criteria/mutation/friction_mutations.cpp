@@ -30,7 +30,7 @@ BreakContact coefficients(std::function<void(FrictionCoefficients&)> change) {
     return broken_card([=](Model& model, Interface& card) { change_coefficients(model, card, change); });
 }
 
-/// The envelope forgets: only a cycle that raises it reports anything.
+/// Loses the envelope: only a cycle that raises it reports a value.
 BreakStep forget_envelope(const Scene&, int) {
     return [before = std::vector<double>()](ContactStep& step, const Motion&) mutable {
         before.resize(step.nodes.size(), 0.0);
@@ -58,13 +58,13 @@ std::function<bool(const HostScene&, int)> filter(int ifiltr) {
 
 std::vector<Mutation> friction_mutations() {
     using enum Effect;
-    const auto rubs = has_effect(friction);
+    const auto has_friction = has_effect(friction);
     std::vector<Mutation> all{
-        {"friction_off", "friction", "mu = 0", rubs, without_effect(friction), {}},
+        {"friction_off", "friction", "mu = 0", has_friction, without_effect(friction), {}},
         {"fric_millionth",
          "mu",
          "Fric and the law's coefficients are larger by a millionth",
-         rubs,
+         has_friction,
          coefficients([](FrictionCoefficients& f) {
              f.fric *= 1 + 1e-6;
              for (double& c : f.c)
@@ -74,7 +74,7 @@ std::vector<Mutation> friction_mutations() {
         {"friction_reversed",
          "friction force, F_t",
          "F_t drives the sliding",
-         rubs,
+         has_friction,
          broken_nodes([](NodeContact& n) {
              n.friction = -n.friction;
              n.force = n.normal_force * n.normal - n.friction;
@@ -82,14 +82,14 @@ std::vector<Mutation> friction_mutations() {
          {}},
         {"friction_forgotten",
          "friction increment",
-         "nothing is remembered from one cycle to the next",
-         rubs,
+         "the friction force of the last cycle is lost",
+         has_friction,
          forgetful(),
          {}},
         {"cone_of_components",
          "Coulomb's cone",
-         "each component of F_t is limited by itself: the cone is a box",
-         rubs,
+         "each component of F_t is limited separately",
+         has_friction,
          broken_nodes([](NodeContact& n) {
              if (n.status != Status::slip) return;
              const double most = n.friction.cwiseAbs().maxCoeff();
@@ -100,12 +100,12 @@ std::vector<Mutation> friction_mutations() {
         {"friction_step_off",
          "friction increment, alpha k v dt",
          "the increment has half the step",
-         rubs,
+         has_friction,
          broken_motion([](Motion& m, const Interface&) { m.friction_step *= 0.5; }),
          {}},
         {"pairs_ignored",
          "/FRICTION",
-         "all pairs of parts have the default's coefficients",
+         "all pairs of parts have the default coefficients",
          has_card([](const Interface& c) { return c.friction_model >= 0; }),
          broken_card([](Model& m, Interface&) {
              for (FrictionModel& table : m.friction_models)
@@ -138,7 +138,7 @@ std::vector<Mutation> friction_mutations() {
     for (int k = 1; k <= 4; ++k) {
         all.push_back({fmt::format("law_{}_as_coulomb", k),
                        fmt::format("Ifric {}, {}", k, laws[k]),
-                       "mu = Fric whatever pressure and velocity",
+                       "mu = Fric for every pressure and velocity",
                        law(k),
                        broken_card([](Model& m, Interface& c) {
                            c.ifric.value = 0;

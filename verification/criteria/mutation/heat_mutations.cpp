@@ -25,7 +25,7 @@ std::vector<Mutation> heat_mutations() {
          {}},
         {"heat_halved",
          "heat flow",
-         "half the heat arrives",
+         "half of the heat flows",
          has_effect(heat),
          broken_step([](const Scene&, int) {
              return [](ContactStep& step, const Motion&) {
@@ -46,7 +46,7 @@ std::vector<Mutation> heat_mutations() {
          {}},
         {"conductance_of_pressure_off",
          "fct_IDK",
-         "Kthe whatever the pressure",
+         "Kthe for every pressure",
          such([](const Interface& c) { return c.function_conduction >= 0; }),
          changed([](Interface& c) { c.function_conduction = -1; }),
          {}},
@@ -94,7 +94,7 @@ std::vector<Mutation> heat_mutations() {
          {}},
         {"tool_not_heated",
          "Ithe_form 1",
-         "the tool does not get what the blank gives",
+         "the tool does not receive the heat of the blank",
          such([](const Interface& c) { return c.ithe_form == 1; }),
          broken_step(
              [](const Scene&, int) { return [](ContactStep& step, const Motion&) { step.tool_heat.clear(); }; }),

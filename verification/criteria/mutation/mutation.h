@@ -1,4 +1,4 @@
-/// @file A mutation: one effect of the contact broken on purpose. Some check must then turn red.
+/// @file A mutation: one effect of the contact broken on purpose. At least one criterion must then fail.
 #pragma once
 
 #include <functional>
@@ -21,14 +21,14 @@ struct Mutation {
     std::string effect;  ///< what is broken, with the equation or field where there is one
     std::string broken;  ///< how, in words
     std::function<bool(const HostScene&, int interface)> concerns;  ///< whether the interface has the effect
-    BreakContact contact;                                           ///< judged by the checks of the cases
-    BreakDecision decision;                                         ///< or by the truth files of cases/decisions
+    BreakContact contact;                                           ///< tested by the criteria of the cases
+    BreakDecision decision;                                         ///< or by the exact answers of cases/decisions
 };
 
 /// All of them, in the order of the formulation.
 const std::vector<Mutation>& mutations();
 
-// Rooms of the table.
+// Parts of the table.
 std::vector<Mutation> decision_mutations();
 std::vector<Mutation> force_mutations();
 std::vector<Mutation> friction_mutations();

@@ -24,12 +24,12 @@ double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// One run of a case, with the checks that hold as it is.
+/// One run of a case, with the criteria that hold without a mutation.
 struct SoundRun {
     const Case* a_case = nullptr;
     size_t run = 0;
     PreparedDeck deck;
-    std::vector<const CaseCheck*> checks;
+    std::vector<const Criterion*> criteria;
     double seconds = 0;
 };
 
@@ -61,11 +61,12 @@ std::vector<SoundRun> sound_runs(const std::vector<Case>& cases, const ScoreOpti
         const CaseOutcome outcome =
             outcome_of(one, options.scratch / fmt::format("sound_{}", i), contact_maker(options.with));
         one.seconds = outcome.seconds;
-        for (const CaseCheck& check : one.a_case->checks)
-            if (check.run == one.run && evaluate(*one.a_case, check, outcome).ok) one.checks.push_back(&check);
+        for (const Criterion& criterion : one.a_case->criteria)
+            if (criterion.run == one.run && evaluate(*one.a_case, criterion, outcome).ok)
+                one.criteria.push_back(&criterion);
         fs::remove_all(outcome.folder);
     });
-    std::erase_if(runs, [](const SoundRun& run) { return !run.deck.scene || run.checks.empty(); });
+    std::erase_if(runs, [](const SoundRun& run) { return !run.deck.scene || run.criteria.empty(); });
     std::stable_sort(runs.begin(), runs.end(),
                      [](const SoundRun& a, const SoundRun& b) { return a.seconds < b.seconds; });
     return runs;
@@ -93,13 +94,13 @@ void judge_by_cases(const std::vector<SoundRun>& runs, const fs::path& folder, c
             verdict.detail = outcome.error;
             continue;
         }
-        for (const CaseCheck* check : run.checks) {
-            const CheckResult result = evaluate(*run.a_case, *check, outcome);
+        for (const Criterion* criterion : run.criteria) {
+            const CriterionResult result = evaluate(*run.a_case, *criterion, outcome);
             if (result.ok) continue;
             verdict.red = true;
             verdict.case_name = run.a_case->name;
             verdict.run = run.a_case->runs[run.run].name;
-            verdict.check = result.id;
+            verdict.criterion = result.id;
             verdict.difference = result.difference;
             verdict.tolerance = result.tolerance;
             verdict.detail = result.detail;
@@ -119,7 +120,7 @@ void judge_by_decisions(const std::vector<DecisionFile>& files, MutationVerdict&
                 if (answer.same_decision(block.answers[q])) continue;
                 verdict.red = true;
                 verdict.case_name = fmt::format("decisions/{}", file.family);
-                verdict.check = fmt::format("block {}, query {}", b, q);
+                verdict.criterion = fmt::format("block {}, query {}", b, q);
                 verdict.detail = fmt::format(
                     "after {} right answers: {} segment {} triangle {}, the truth: {} segment "
                     "{} triangle {}",

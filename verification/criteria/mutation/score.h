@@ -1,4 +1,4 @@
-/// @file Which mutations the checks see.
+/// @file Which mutations make a criterion fail.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ namespace type21 {
 
 struct MutationVerdict {
     Mutation mutation;
-    bool red = false;            ///< a check fails with the mutation that holds without
-    std::string case_name, run;  ///< of that check; a file of decisions has no run
-    std::string check;           ///< its id
+    bool red = false;            ///< a criterion that holds without the mutation fails with it
+    std::string case_name, run;  ///< of that criterion; a file of decisions has no run
+    std::string criterion;       ///< its id
     double difference = 0;       ///< in the measure of the tolerance; of decisions: how many had been compared
     double tolerance = 0;
     std::string detail;  ///< where, or what went wrong with the mutation itself
@@ -26,22 +26,22 @@ struct MutationVerdict {
 };
 
 struct ScoreOptions {
-    std::filesystem::path decisions;  ///< folder of truth files
+    std::filesystem::path decisions;  ///< folder of the exact answers
     std::filesystem::path scratch;    ///< folder for the runs
-    std::string with = "reference";   ///< who computes the contact that is broken
+    std::string with = "reference";   ///< implementation that is broken
     int jobs = 1;
     std::function<void(const MutationVerdict&)> progress;  ///< after each, never twice at the same time
 };
 
-/// Runs the cases once as they are; then, for each mutation, those that have what it breaks, the fastest first, until a
-/// check turns red. Only checks that hold without the mutation count.
-/// @return one for each mutation, in their order
+/// Runs the cases once unchanged. Then, for each mutation, runs those that have the broken effect, the fastest first,
+/// until a criterion fails. Only criteria that hold without the mutation count.
+/// @return one verdict for each mutation, in their order
 std::vector<MutationVerdict> score(const std::vector<Mutation>& mutations, const std::vector<Case>& cases,
                                    const ScoreOptions& options);
 
 /// One line a mutation, then the score and the survivors.
 std::string to_text(const std::vector<MutationVerdict>& verdicts);
-/// {"mutations": [{"name", "effect", "broken", "case", "check", "red", "difference", ...}], "killed", "all"}
+/// {"mutations": [{"name", "effect", "broken", "case", "criterion", "red", "difference", ...}], "killed", "all"}
 nlohmann::ordered_json to_json(const std::vector<MutationVerdict>& verdicts);
 
 }  // namespace type21

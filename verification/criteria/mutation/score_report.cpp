@@ -17,18 +17,18 @@ std::string place(const MutationVerdict& v) {
 }  // namespace
 
 std::string to_text(const std::vector<MutationVerdict>& verdicts) {
-    std::string text =
-        fmt::format("{:<28} {:<34} {:<38} {:<28} {:>10}\n", "mutation", "effect", "red in", "check", "difference");
+    std::string text = fmt::format("{:<28} {:<34} {:<38} {:<28} {:>10}\n", "mutation", "effect", "fails in",
+                                   "criterion", "difference");
     size_t killed = 0;
     for (const MutationVerdict& v : verdicts) {
         killed += v.red ? 1 : 0;
         text += v.red ? fmt::format("{:<28} {:<34} {:<38} {:<28} {:>10.3g}\n", v.mutation.name, v.mutation.effect,
-                                    place(v), v.check, v.difference)
+                                    place(v), v.criterion, v.difference)
                       : fmt::format("{:<28} {:<34} SURVIVES: {} ({} runs)\n", v.mutation.name, v.mutation.effect,
                                     v.mutation.broken, v.tried);
     }
     text += fmt::format(
-        "mutation score: {} of {} turn a check red ({:.0f} %)\n", killed, verdicts.size(),
+        "mutation score: {} of {} make a criterion fail ({:.0f} %)\n", killed, verdicts.size(),
         verdicts.empty() ? 0.0 : 100.0 * static_cast<double>(killed) / static_cast<double>(verdicts.size()));
     return text;
 }
@@ -43,7 +43,7 @@ nlohmann::ordered_json to_json(const std::vector<MutationVerdict>& verdicts) {
                                    {"broken", v.mutation.broken},
                                    {"case", v.case_name},
                                    {"run", v.run},
-                                   {"check", v.check},
+                                   {"criterion", v.criterion},
                                    {"red", v.red},
                                    {"difference", v.difference},
                                    {"tolerance", v.tolerance},

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import words
-from accuracy_figures import draw_effects, draw_funnel, draw_methods, draw_search
+from accuracy_figures import draw_effects, draw_stages, draw_methods, draw_search
 from store import digest
 
 HERE = Path(__file__).resolve().parent
@@ -14,7 +14,7 @@ def name_of(row):
 
 
 def note_on_decisions(rows):
-    """One sentence: what it costs to be right always, against plain double, and what plain double gets wrong."""
+    """One sentence: the cost of always being right, against plain double, and the share that plain double gets wrong."""
     text = []
     for scene in dict.fromkeys(row["scene"] for row in rows):
         mine = [row for row in rows if row["scene"] == scene]
@@ -22,30 +22,30 @@ def note_on_decisions(rows):
         plain = next((row for row in mine if row["method"] == "double"), None)
         if plain is None:
             continue
-        errs = f"plain double gets {words.percent(plain['wrong'], plain['decisions'])} wrong in {words.nanoseconds(plain['ns']['p50'])}"
+        of_double = f"plain double gets {words.percent(plain['wrong'], plain['decisions'])} wrong in {words.nanoseconds(plain['ns']['p50'])}"
         if right is plain:
             text.append(f"on {scene} plain double happens to be right, in {words.nanoseconds(plain['ns']['p50'])}")
         elif right is None:
-            text.append(f"on {scene} {errs} and NO method is always right")
+            text.append(f"on {scene} {of_double} and NO method is always right")
         else:
-            text.append(f"on {scene} {errs}, '{name_of(right)}' none in {words.nanoseconds(right['ns']['p50'])}")
+            text.append(f"on {scene} {of_double}, '{name_of(right)}' none in {words.nanoseconds(right['ns']['p50'])}")
     out = "; ".join(text)
     return out[:1].upper() + out[1:] + "." if out else ""
 
 
 def note_on_forces(rows):
-    """What exact decisions are worth to the forces: the worst of methods with and without a promise."""
+    """The effect of exact decisions on the forces: the worst method with and without that guarantee."""
     text = []
     for promise, word in ((False, "without"), (True, "with")):
         known = [row for row in rows if row["exact"] == promise and "ulps_max" in row["force"]]
         worst = max(known, key=lambda row: row["force"]["relative_max"], default=None)
         if worst:
-            text.append(f"the largest relative error of a force {word} a promise of exact decisions is {worst['force']['relative_max']:.2g} "
+            text.append(f"the largest relative error of a force {word} guaranteed exact decisions is {worst['force']['relative_max']:.2g} "
                         f"('{name_of(worst)}' on {worst['scene']}: {worst['force']['ulps_max']:.2g} ulps)")
     out = "; ".join(text)
     easy = [row["force"]["relative_max"] for row in rows if row["exact"] and row["kind"] != "adversarial" and "relative_max" in row["force"]]
     if easy:
-        out += f"; on easy and common scenes methods with that promise stay below {max(easy):.2g}"
+        out += f"; on easy and common scenes methods with that guarantee stay below {max(easy):.2g}"
     return out[:1].upper() + out[1:] + "." if out else ""
 
 
@@ -59,12 +59,12 @@ def note_on_search(rows):
     return f"With {'the same answers' if not wrong else f'{wrong} WRONG answers'}, " + "; ".join(text) + "."
 
 
-def note_on_funnel(funnels):
-    """Per kind of scene, the share that each implementation settles in its first arithmetic."""
+def note_on_stages(rows):
+    """The share of each scene that each implementation settles in its last stage."""
     text = []
-    for implementation in dict.fromkeys(row["implementation"] for row in funnels):
+    for implementation in dict.fromkeys(row["implementation"] for row in rows):
         parts = []
-        for row in (row for row in funnels if row["implementation"] == implementation):
+        for row in (row for row in rows if row["implementation"] == implementation):
             decided = sum(stage["settled"] for stage in row["stages"])
             last = row["stages"][-1]
             parts.append(f"{words.percent(last['settled'], decided)} of {row['scene']}" + (f" ({words.nanoseconds(last['ns']['p50'])} each)" if "ns" in last else ""))
@@ -73,18 +73,18 @@ def note_on_funnel(funnels):
 
 
 def note_on_effects(effects):
-    """Whether off is free, as a statement about numbers, and what costs most."""
+    """Whether an effect that is off is free, and which effect costs most."""
     other = [row["effect"] for row in effects if not row["same_program"] or row["bytes_off"] != row["bytes_absent"]]
     beyond = [row for row in effects if abs(row["off_ratio"] - 1) > 3 * row["off_error"]]
     furthest = max(effects, key=lambda row: abs(row["off_ratio"] - 1))
-    text = ("An effect that is off is not there: each scene plans the same effects and holds the same bytes a node as without it"
+    text = ("An effect that is off costs nothing: each scene has the same effects and the same bytes for each node as without it"
             if not other else f"NOT free when off: {', '.join(dict.fromkeys(other))}")
     text += (f"; the times differ by at most {100 * abs(furthest['off_ratio'] - 1):.2g} % ({furthest['effect']}, {furthest['implementation']}, "
              f"standard error {100 * furthest['off_error']:.2g} %), {len(beyond)} of {len(effects)} by more than three standard errors")
     fast = [row for row in effects if row["implementation"] == "optimized"]
     if fast:
         most = max(fast, key=lambda row: row["extra_ns"])
-        text += f". Of the optimized ones {most['effect']} costs most when on, {most['extra_ns']:.3g} ± {most['extra_error']:.2g} ns a node and cycle"
+        text += f". In the optimized contact {most['effect']} costs most when on, {most['extra_ns']:.3g} ± {most['extra_error']:.2g} ns for each node and cycle"
     return text + ". Bars in the figure: two standard errors."
 
 
@@ -114,8 +114,8 @@ def section(found, store):
     out = {"about": about, "scenes": found["scenes"], "rows": found["rows"], "figures": figures_of(found, store), "stage_counts": None, "effects": None}
     code = digest(HERE / "accuracy_figures.py", HERE / "curves.py")
     if found["stage_counts"]:
-        svg = store.get("accuracy-stage_counts", digest(code, repr(found["stage_counts"])), lambda: draw_funnel(found["stage_counts"]))
-        out["stage_counts"] = {"svg": svg, "title": "Share of the decisions that each stage settles", "note": note_on_funnel(found["stage_counts"]), "rows": found["stage_counts"]}
+        svg = store.get("accuracy-stage_counts", digest(code, repr(found["stage_counts"])), lambda: draw_stages(found["stage_counts"]))
+        out["stage_counts"] = {"svg": svg, "title": "Share of the decisions that each stage settles", "note": note_on_stages(found["stage_counts"]), "rows": found["stage_counts"]}
     if found["effects"]:
         svg = store.get("accuracy-effects", digest(code, repr(found["effects"])), lambda: draw_effects(found["effects"]))
         out["effects"] = {"svg": svg, "title": "What each effect costs on and off", "note": note_on_effects(found["effects"]), "rows": found["effects"]}

@@ -65,7 +65,7 @@ def draw_methods(rows, what):
         axes.set_ylabel("wrong, share" if what == "wrong" else "error [ulp]", fontsize=8)
     for number, name in enumerate(methods):
         panels[0, 0].plot([], [], "-", lw=4, color=curves.COLOURS[number % len(curves.COLOURS)], label=name)
-    panels[-1, 0].set_xlabel("ns a decision; mark: median, bar: to p95, line: to max; cross: share that it cannot tell" if what == "wrong" else "ns a decision; mark: largest error, dash: 99th percentile")
+    panels[-1, 0].set_xlabel("ns for a decision; mark: median, bar: to p95, line: to max; cross: share not decided" if what == "wrong" else "ns for a decision; mark: largest error, dash: 99th percentile")
     curves.legend_below(figure, panels[0, 0], 3)
     return curves.as_svg(figure, f"accuracy-{what}")
 
@@ -85,19 +85,19 @@ def draw_search(rows):
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.5, -0.5)
     axes.set_xscale("log")
-    axes.set_xlabel("ns a decision, the search included")
+    axes.set_xlabel("ns for a decision, with the search")
     curves.legend_below(figure, axes, 4)
     return curves.as_svg(figure, "accuracy-search")
 
 
-def draw_funnel(funnels):
+def draw_stages(rows):
     """A bar for each scene and implementation, cut into the shares of its stages; each implementation has its own stages."""
-    implementations = list(dict.fromkeys(row["implementation"] for row in funnels))
-    scenes = list(dict.fromkeys(row["scene"] for row in funnels))
+    implementations = list(dict.fromkeys(row["implementation"] for row in rows))
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))
     figure, panels = plt.subplots(len(implementations), 1, figsize=(6.6, 0.75 + len(implementations) * (0.6 + 0.24 * len(scenes))), sharex=True,
                                   layout="constrained", squeeze=False)
     for implementation, axes in zip(implementations, panels[:, 0]):
-        for row in (row for row in funnels if row["implementation"] == implementation):
+        for row in (row for row in rows if row["implementation"] == implementation):
             y, start = scenes.index(row["scene"]), 0.0
             decided = sum(stage["settled"] for stage in row["stages"])
             colours = STAGE_COLOURS if len(row["stages"]) == len(STAGE_COLOURS) else (*STAGE_COLOURS[:2], *STAGE_COLOURS[3:])
@@ -113,7 +113,7 @@ def draw_funnel(funnels):
         axes.grid(False)
         axes.set_title(implementation)
         axes.legend(loc="lower left", bbox_to_anchor=(0.16, 0.99), ncol=5, handlelength=1.0, columnspacing=1.0, borderaxespad=0.1, fontsize=7)
-    panels[-1, 0].set_xlabel("share of the decisions [%]; the time is that of one that ends in the stage")
+    panels[-1, 0].set_xlabel("share of the decisions [%]; the time is that of a decision settled in the stage")
     return curves.as_svg(figure, "accuracy-stage_counts")
 
 

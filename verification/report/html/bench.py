@@ -1,4 +1,4 @@
-"""Speed of the optimized implementation, from build/report/bench.json (verification/performance/bench/README.md has its format). What it leaves out is not shown."""
+"""Speed of the optimized implementation, from build/report/bench.json (verification/performance/bench/README.md has its format). Parts that it lacks are not shown."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ REACHED = {"aim": "goal reached", "at least": "least reached", "no": "NOT REACHE
 
 
 def draw_ratios(ratios):
-    """Time of the one over time of the other, a row a comparison."""
+    """Ratio of two times, one row for each comparison."""
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(figsize=(6.6, 0.8 + 0.24 * len(ratios)), layout="constrained")
@@ -22,7 +22,7 @@ def draw_ratios(ratios):
     curves.plain_log(axes.xaxis)
     axes.set_yticks(range(len(ratios)), [curves.short(f"{row['scene']}: {row['what']}", 62) for row in ratios], fontsize=7)
     axes.set_ylim(len(ratios) - 0.4, -0.6)
-    axes.set_xlabel("first over second (mark: of medians, line: to minima)")
+    axes.set_xlabel("time of the first / time of the second (mark: medians, line: to minima)")
     return curves.as_svg(figure, "bench-ratios")
 
 
@@ -80,8 +80,8 @@ def draw_growth(growth):
 def note_on_ratios(ratios):
     slower = [row for row in ratios if row["of_medians"] < 1]
     least, most = (pick(ratios, key=lambda row: row["of_medians"]) for pick in (min, max))
-    text = f"The time of the first is {least['of_medians']:.3g} times ({least['scene']}: {least['what']}) to {most['of_medians']:.3g} times ({most['scene']}: {most['what']}) that of the second"
-    return text + (f"; in {len(slower)} of {len(ratios)} comparisons, those below 1, the first is the faster one." if slower else f", which is faster in all {len(ratios)} comparisons.")
+    text = f"The first takes {least['of_medians']:.3g} times ({least['scene']}: {least['what']}) to {most['of_medians']:.3g} times ({most['scene']}: {most['what']}) the time of the second"
+    return text + (f"; in {len(slower)} of {len(ratios)} comparisons, those below 1, the first is faster." if slower else f", so the second is faster in all {len(ratios)} comparisons.")
 
 
 def note_on_stages(stages):
@@ -98,7 +98,7 @@ def note_on_growth(growth):
     rows = of_usual_nodes(growth)
     text = [f"{name.replace('_', ' ')} takes {both[-1] / both[0]:.3g} times as long" for name in growth_lines(growth)
             if len(both := [row[name] for row in rows if name in row]) > 1]
-    return f"On a tool with {rows[-1]['segments'] / rows[0]['segments']:.3g} times the segments " + ", ".join(text) + "." if text else "One size only was measured."
+    return f"On a tool with {rows[-1]['segments'] / rows[0]['segments']:.3g} times the segments " + ", ".join(text) + "." if text else "Only one size was measured."
 
 
 def section(found, store):
@@ -107,7 +107,7 @@ def section(found, store):
         return None
     code = digest(HERE / "bench.py", HERE / "curves.py")
     figures = dict.fromkeys(("ratios", "stages", "growth"))
-    for name, title, draw, note in (("ratios", "Times of one over times of the other", draw_ratios, note_on_ratios), ("stages", "Where the time of a step goes", draw_stages, note_on_stages),
+    for name, title, draw, note in (("ratios", "Ratios of times", draw_ratios, note_on_ratios), ("stages", "Where the time of a step goes", draw_stages, note_on_stages),
                                     ("growth", "Time against the size of the tool", draw_growth, note_on_growth)):
         rows = found.get(name) or []
         if rows:

@@ -58,7 +58,7 @@ def framed(report, width, height, folder):
 
 
 def judge(name, width, report, folder):
-    """Complaints about one width."""
+    """What is wrong at one width."""
     outer = framed(report, width, 900, folder)
     dom = chromium("--allow-file-access-from-files", "--virtual-time-budget=20000", f"--window-size={max(width, 600)},900", "--dump-dom", outer.as_uri())
     if 'data-answer="' not in dom:
@@ -68,11 +68,11 @@ def judge(name, width, report, folder):
     for state in ("closed", "open"):
         seen = answer[state]
         if seen["innerWidth"] != width:
-            out.append(f"{name}: looked at {seen['innerWidth']} pixels, not {width}")
+            out.append(f"{name}: shown at {seen['innerWidth']} pixels, not {width}")
         if seen["scrollWidth"] > seen["innerWidth"]:
             out.append(f"{name}, sheets {state}: {seen['scrollWidth']} pixels wide in {seen['innerWidth']}: {'; '.join(seen['sticking'])}")
     out += [f"{name}: the section '{section}' is missing or empty" for section in SECTIONS if section not in answer["sections"]]
-    out += [f"{name}: the picture '{alt}' does not show" for alt in answer["broken"]]
+    out += [f"{name}: the picture '{alt}' is not shown" for alt in answer["broken"]]
     return out
 
 
@@ -82,7 +82,7 @@ def look(report, out_folder):
         print("skipped: Chromium is not there (Debian: apt-get install chromium)")
         return SKIPPED
     if not report.is_file():
-        print(f"error: {report} is not there: scripts/report makes it", file=sys.stderr)
+        print(f"error: {report} is missing: scripts/report makes it", file=sys.stderr)
         return 1
     out_folder.mkdir(parents=True, exist_ok=True)
     complaints = []
@@ -95,7 +95,7 @@ def look(report, out_folder):
     for line in complaints:
         print(f"error: {line}", file=sys.stderr)
     print(f"report: {report.name} at {', '.join(f'{width} ({name})' for name, (width, _) in WIDTHS.items())} pixels: "
-          f"{'fits, all sections there' if not complaints else f'{len(complaints)} complaints'}; pictures in {out_folder}")
+          f"{'it fits, with all sections' if not complaints else f'{len(complaints)} complaints'}; pictures in {out_folder}")
     return 3 if complaints else 0
 
 

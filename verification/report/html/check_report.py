@@ -57,7 +57,7 @@ def complaints_of(text, records):
     report = ReportParser(text)
     out = list(report.complaints)
     ids = set(report.ids)
-    out += [f"the id '{name}' is there twice" for name in sorted(ids) if report.ids.count(name) > 1]
+    out += [f"the id '{name}' occurs twice" for name in sorted(ids) if report.ids.count(name) > 1]
     for link in report.links:
         if not link.startswith("#"):
             out.append(f"the link '{link}' leads outside")
@@ -68,7 +68,7 @@ def complaints_of(text, records):
     shown = set(report.words)
     for record in records:
         if record["id"] not in shown:
-            out.append(f"the check '{record['id']}' of {record['case']} is not shown")
+            out.append(f"the criterion '{record['id']}' of {record['case']} is not shown")
     for word in report.words:
         # Numbers that are none; a case or a test may have the letters in its name.
         if re.search(r"(?<![\w.])[-−+]?(nan|inf)(?![\w.])", word, re.I) or "Undefined" in word or "{{" in word:
@@ -78,7 +78,7 @@ def complaints_of(text, records):
 
 def main(report, results):
     if not report.is_file() or not results.is_file():
-        print(f"error: {report if not report.is_file() else results} is not there", file=sys.stderr)
+        print(f"error: {report if not report.is_file() else results} is missing", file=sys.stderr)
         return 1
     found = complaints_of(report.read_text(), json.loads(results.read_text()))
     for line in found[:40]:

@@ -66,7 +66,7 @@ def draw_line(axes, line, time_factor, factor):
 
 
 def one_style(found):
-    """Marks of one line repeat their style: it is said once, on their group."""
+    """Marks of one line repeat their style: it is written once, on their group."""
     styles = set(re.findall(r' style="[^"]*"', found[2]))
     if len(styles) != 1 or " style=" in found[1]:
         return found[0]
@@ -82,7 +82,7 @@ def plain_log(axis):
 
 
 def legend_below(figure, axes, columns):
-    """A legend of what `axes` draws under the whole figure, where a narrow screen shows it, too. For constrained layouts."""
+    """A legend of what `axes` draws under the whole figure, so that a narrow screen shows it. For constrained layouts."""
     handles, labels = axes.get_legend_handles_labels()
     rows = -(-len(labels) // columns)
     share = (0.19 * rows + 0.1) / figure.get_figheight()

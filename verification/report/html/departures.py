@@ -1,4 +1,4 @@
-"""Each departure with the cases that show it: the number with it off, with it on, and the measured one."""
+"""Each departure with the cases that show it: the number without it, with it, and the measured one."""
 
 import json
 import subprocess
@@ -28,45 +28,45 @@ def switch(case, row_id):
 
 
 def sizes(case, row_id):
-    """Numbers of the checks that look at the departure alone."""
+    """Numbers of the criteria that test this departure and no other."""
     histories = Histories(case)
     off_runs, on_runs = switch(case, row_id)
     out = []
     for record in case.records:
-        check = case.checks[record["id"]]
-        if "column" not in check or not isinstance(record["got"], (int, float)) or "differs_from" in check:
+        criterion = case.criteria[record["id"]]
+        if "column" not in criterion or not isinstance(record["got"], (int, float)) or "differs_from" in criterion:
             continue
-        run = check["run"]
+        run = criterion["run"]
         other = off_runs.get(run) or on_runs.get(run)
         if run not in off_runs and run not in on_runs:
             continue
 
         def taken(table):
-            if table is None or check["column"] not in table:
+            if table is None or criterion["column"] not in table:
                 return None
-            return table.of(check.get("node")).value(check["column"], check["at"])
+            return table.of(criterion.get("node")).value(criterion["column"], criterion["at"])
 
-        beside = taken(histories.run(other, check["file"])) if other else None
-        if any(c["run"] == other and "expect_exit" in c for c in case.checks.values()):
+        beside = taken(histories.run(other, criterion["file"])) if other else None
+        if any(c["run"] == other and "expect_exit" in c for c in case.criteria.values()):
             beside = "refused"
         off, on = (record["got"], beside) if run in off_runs else (beside, record["got"])
-        out.append({"case": case.name, "check": record["id"], "what": f"{check['column']}" + (f", node {check['node']}" if "node" in check else ""),
-                    "at": check["at"], "unit": check["unit"], "off": off, "on": on, "measured": taken(histories.measured(check["file"]))})
+        out.append({"case": case.name, "criterion": record["id"], "what": f"{criterion['column']}" + (f", node {criterion['node']}" if "node" in criterion else ""),
+                    "at": criterion["at"], "unit": criterion["unit"], "off": off, "on": on, "measured": taken(histories.measured(criterion["file"]))})
     return out
 
 
 def misses(case, row_id):
-    """A departure that cannot be switched on: our number less the measured one, where the case says how much."""
+    """A departure that cannot be switched on: our number and the measured one, where the case gives their difference."""
     out = []
     for record in case.records:
-        check = case.checks[record["id"]]
-        if "differs_from" not in check or f"departure {row_id}" not in case.covers:
+        criterion = case.criteria[record["id"]]
+        if "differs_from" not in criterion or f"departure {row_id}" not in case.covers:
             continue
         histories = Histories(case)
-        node = check.get("node")
-        ours, seen = (table.of(node).value(check["column"], check["at"]) if table is not None else None
-                      for table in (histories.run(check["run"], check.get("file", check["differs_from"])), histories.measured(check["differs_from"])))
-        out.append({"case": case.name, "check": record["id"], "what": check["column"], "at": check["at"], "unit": check.get("unit", ""),
+        node = criterion.get("node")
+        ours, seen = (table.of(node).value(criterion["column"], criterion["at"]) if table is not None else None
+                      for table in (histories.run(criterion["run"], criterion.get("file", criterion["differs_from"])), histories.measured(criterion["differs_from"])))
+        out.append({"case": case.name, "criterion": record["id"], "what": criterion["column"], "at": criterion["at"], "unit": criterion.get("unit", ""),
                     "off": ours, "on": None, "measured": seen})
     return out
 
@@ -80,6 +80,6 @@ def table(program, cases, most=3):
         numbers = []
         for case in cases:
             numbers += sizes(case, row["id"]) if row["available"] else misses(case, row["id"])
-        # Those that tell the two apart come first; one that does not is no size.
+        # Only numbers that differ show the size of the departure.
         row["numbers"] = [n for n in numbers if n["off"] != n["on"]][:most]
     return rows

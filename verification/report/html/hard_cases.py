@@ -1,4 +1,4 @@
-"""Hard geometric questions: how the program answers whole families, and drawings of the atlas."""
+"""Hard geometric questions: the answers of the program by question family, and drawings of the atlas."""
 
 import json
 import subprocess
@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def ask(program, file, how):
-    """What type21 decide says to a file; a difference from the file's answers (exit code 3) is an answer too."""
+    """The answers of type21 decide to a file; exit code 3 means that some differ from those of the file."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "answers.json"
         done = subprocess.run([program, "decide", file, "--with", how, "--out", out], capture_output=True, text=True)
@@ -34,7 +34,7 @@ def differing(truth, answers):
                for a, b in zip(block["answers"], other["answers"], strict=True))
 
 
-def family(program, file):
+def question_family(program, file):
     """One row of the table: queries, kinds, wrong answers of each method, stage shares, cost of the stages."""
     truth = json.loads(file.read_text())
     staged, double = ask(program, file, "reference"), ask(program, file, "double")
@@ -48,11 +48,11 @@ def family(program, file):
     }
 
 
-def families(program, folder, store):
-    """Rows of every file of a folder; times are those of the run that answered, kept while file and program stay."""
+def question_families(program, folder, store):
+    """One row for each file of a folder; kept while the file and the program are unchanged."""
     binary = digest(program) if program.is_file() else "no program"
     code = digest(HERE / "hard_cases.py")
-    return [store.get(f"decide-{file.stem}", digest(binary, code, file), lambda file=file: family(program, file))
+    return [store.get(f"decide-{file.stem}", digest(binary, code, file), lambda file=file: question_family(program, file))
             for file in sorted(folder.glob("*.json"))]
 
 
@@ -118,7 +118,7 @@ def times(ratio):
 
 
 class Frame:
-    """Axes stretched so that a needle 1e-16 wide can be seen; what was done is said."""
+    """Axes stretched so that a needle 1e-16 wide can be seen; `words` names the stretched axes."""
 
     def __init__(self, points):
         axes = list(zip(*points))

@@ -1,4 +1,4 @@
-"""What of a case's histories is worth a curve, and how far they are from what was measured."""
+"""The curves of a case, and their differences from the measured histories."""
 
 from dataclasses import dataclass, field
 
@@ -45,7 +45,7 @@ def large(table, columns, least=1e-9):
 
 
 def same(a, b, columns):
-    """Whether two runs are the same curve to the eye."""
+    """Whether two runs give visibly the same curve."""
     if a is None or b is None or a.data.shape != b.data.shape:
         return False
     return all(np.abs(a[c] - b[c]).max(initial=0) <= 1e-3 * np.abs(b[c]).max(initial=0) for c in columns)
@@ -123,33 +123,33 @@ def temperature_panel(histories, main_run, other_run):
 def value_panels(histories, most=3):
     """The curves that single values are taken from, with the expected values as rings."""
     groups = {}
-    for check in histories.case.checks.values():
-        if "expected" in check:
-            stem = check["file"].split("_")[0].removesuffix(".csv")
-            groups.setdefault((stem, check["column"]), []).append(check)
+    for criterion in histories.case.criteria.values():
+        if "expected" in criterion:
+            stem = criterion["file"].split("_")[0].removesuffix(".csv")
+            groups.setdefault((stem, criterion["column"]), []).append(criterion)
     panels = []
-    for (stem, column), checks in sorted(groups.items(), key=lambda item: -len(item[1]))[:most]:
-        panel = Panel({"interface": "interface", "nodes": "nodes", "rbody": "rigid body"}.get(stem, stem) + f": {column}", checks[0]["unit"])
+    for (stem, column), criteria in sorted(groups.items(), key=lambda item: -len(item[1]))[:most]:
+        panel = Panel({"interface": "interface", "nodes": "nodes", "rbody": "rigid body"}.get(stem, stem) + f": {column}", criteria[0]["unit"])
         drawn = {}
-        for check in checks:
-            table = histories.run(check["run"], check["file"])
+        for criterion in criteria:
+            table = histories.run(criterion["run"], criterion["file"])
             if table is None or column not in table:
                 continue
-            key = (check["run"], check["file"], check.get("node"))
-            rows = table.of(check.get("node"))
+            key = (criterion["run"], criterion["file"], criterion.get("node"))
+            rows = table.of(criterion.get("node"))
             if not len(rows.data):
                 continue
             if key not in drawn:
                 if len(drawn) == MOST_LINES:
                     continue
                 drawn[key] = len(drawn)
-                words = [w for w in (check["run"], f"interface {check['file'][10:-4]}" if stem == "interface" and len(histories.interfaces(check["run"])) > 1 else "",
-                                     f"node {check['node']}" if check.get("node") is not None else "") if w]
+                words = [w for w in (criterion["run"], f"interface {criterion['file'][10:-4]}" if stem == "interface" and len(histories.interfaces(criterion["run"])) > 1 else "",
+                                     f"node {criterion['node']}" if criterion.get("node") is not None else "") if w]
                 panel.lines.append(Line(", ".join(words), rows["time"], rows[column], drawn[key]))
             times = rows["time"]
-            at = check["at"]
+            at = criterion["at"]
             when = times[-1] if at == "end" else times[rows[column].argmax()] if at == "max" else times[rows[column].argmin()] if at == "min" else at
-            panel.lines.append(Line("", np.array([when]), np.array([check["expected"]]), drawn[key], "expected"))
+            panel.lines.append(Line("", np.array([when]), np.array([criterion["expected"]]), drawn[key], "expected"))
         if any(len(line.x) > 1 for line in panel.lines):
             panels.append(panel)
     return panels
@@ -176,26 +176,26 @@ def scaled_difference(ours, reference, record):
 
 def difference_panel(histories, drawn):
     """Scaled differences from the measured histories, and of the optimized implementation from the reference."""
-    panel = Panel("difference / largest value, and what is allowed", "-", log=True)
+    panel = Panel("difference / largest value, and the tolerance", "-", log=True)
     colour = 0
     notes = []
     for record in histories.case.records:
-        check = histories.case.checks.get(record["id"], {})
-        if "reference" not in check or not record.get("columns"):
+        criterion = histories.case.criteria.get(record["id"], {})
+        if "reference" not in criterion or not record.get("columns"):
             continue
-        theirs = check["reference"]
-        ours = histories.run(record["run"], check.get("ours", "nodes.csv" if theirs == "tool.csv" else theirs))
+        theirs = criterion["reference"]
+        ours = histories.run(record["run"], criterion.get("ours", "nodes.csv" if theirs == "tool.csv" else theirs))
         seen = histories.measured(theirs)
         if ours is None or seen is None:
             continue
-        if "nodes" in check:
+        if "nodes" in criterion:
             seen_rows = object.__new__(type(seen))
-            seen_rows.names, seen_rows.data = seen.names, seen.data[np.isin(seen["node"], check["nodes"])]
+            seen_rows.names, seen_rows.data = seen.names, seen.data[np.isin(seen["node"], criterion["nodes"])]
             seen = seen_rows
         times, worst = scaled_difference(ours, seen, record)
         keep = np.ones(len(times), bool)
-        keep &= times >= check.get("from", -np.inf)
-        keep &= times <= check.get("until", np.inf)
+        keep &= times >= criterion.get("from", -np.inf)
+        keep &= times <= criterion.get("until", np.inf)
         times, worst = times[keep], worst[keep]
         panel.lines.append(Line(record["id"], times[worst > 0], worst[worst > 0], colour))
         if len(times):
@@ -208,7 +208,7 @@ def difference_panel(histories, drawn):
             if other is None or other.data.shape != ours.data.shape:
                 continue
             scale = np.maximum(np.abs(ours.data).max(axis=0, initial=0), 1e-300)
-            # A component that is rounding beside the others has no scale of its own.
+            # A component that is only rounding beside the others has no scale of its own.
             columns = [ours.names.index(c) for group in (FORCES, ENERGIES) for c in large(ours, group)]
             if not columns:
                 continue

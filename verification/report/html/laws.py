@@ -1,4 +1,4 @@
-"""Where on its laws a case has been: friction over pressure and speed, pressure over penetration, heat over distance (type21 laws)."""
+"""The range of its laws that a case covers: friction over pressure and speed, pressure over penetration, heat over distance (type21 laws)."""
 
 import json
 import subprocess
@@ -11,15 +11,15 @@ MOST = 6  # interfaces drawn
 ULP = 2.0**-52
 
 
-def asks(case):
-    """Names of the runs to look at: of the families of laws those that rub or limit the pressure, of all cases those that conduct heat."""
+def runs_to_show(case):
+    """Names of the runs to show: runs with heat exchange; in the case families of laws also those with friction or a pressure limit."""
     wanted = ("heat exchange", *(("friction (", "limit of the contact pressure") if case.family in ("friction law", "Pmax limit") else ()))
     return [name for name, run in case.run_json.items()
             if any(effect.startswith(wanted) for interface in run["interfaces"] for effect in interface["effects"])]
 
 
 def points_of(program, case, run_name):
-    """What type21 laws says of a run; None where it does not run."""
+    """What type21 laws says of a run; None if it does not run."""
     run = case.runs[run_name]
     command = [program, "laws", case.deck_of(run_name)]
     if run.get("as_built"):
@@ -86,32 +86,32 @@ def draw(found, salt):
 
 
 def note(found):
-    """What the points are and what they say."""
+    """What the points are, and their result."""
     text = []
-    rubbing = [interface for interface in found["interfaces"] if interface["friction"]]
-    if rubbing:
-        mu = [point[2] for interface in rubbing for point in interface["friction"]]
-        apart = max(interface["difference"] for interface in rubbing)
+    sliding = [interface for interface in found["interfaces"] if interface["friction"]]
+    if sliding:
+        mu = [point[2] for interface in sliding for point in interface["friction"]]
+        apart = max(interface["difference"] for interface in sliding)
         text.append(f"Rings: |Fₜ| / |Fₙ| of nodes that slip, {min(mu):.3g} to {max(mu):.3g}; lines: the law of the card at their speeds, dotted that of the optimized implementation, "
                     + ("equal in every bit" if apart == 0 else f"at most {apart / ULP:.2g} ulps apart"))
-        if any(interface["several_mu"] for interface in rubbing):
-            text.append("parts, temperature or a limit of the tangential force take nodes off that line")
+        if any(interface["several_mu"] for interface in sliding):
+            text.append("parts, temperature or a limit of the friction force move nodes off that line")
     limited = [interface for interface in found["interfaces"] if interface["normal"]]
     for interface in limited:
         on = [p for p, f in interface["normal"] if abs(f - interface["pmax"]) < 1e-6 * interface["pmax"]]
         text.append(f"the pressure stays at Pmax for penetrations from {min(on):.3g} to {max(on):.3g} {found['units']['length']}" if len(on) > 1 else
-                    f"the pressure reaches at most {words.percent(max(f for _, f in interface['normal']), interface['pmax'])} of Pmax, which does not act")
+                    f"the pressure reaches at most {words.percent(max(f for _, f in interface['normal']), interface['pmax'])} of Pmax, so the limit does not act")
     warm = [interface for interface in found["interfaces"] if interface["heat"]]
     if warm:
         k = [value for interface in warm for _, value in interface["heat"]]
-        text.append(f"heat flows through {min(k):.3g} to {max(k):.3g} {found['units']['conductance']}" if max(k) > min(k) else f"heat flows through {k[0]:.3g} {found['units']['conductance']} wherever nodes touch")
+        text.append(f"heat flows with a conductance of {min(k):.3g} to {max(k):.3g} {found['units']['conductance']}" if max(k) > min(k) else f"heat flows with a conductance of {k[0]:.3g} {found['units']['conductance']} at every node in contact")
     out = "; ".join(text)
     return out[:1].upper() + out[1:] + "."
 
 
 def figure(case, program):
-    """{svg, note} of the first run that has something to show; None where there is nothing."""
-    for name in asks(case):
+    """{svg, note} of the first run with something to show; None if there is none."""
+    for name in runs_to_show(case):
         found = points_of(program, case, name)
         if found and panels_of(found):
             return {"svg": draw(found, case.name), "note": f"Run {name}. {note(found)}"}

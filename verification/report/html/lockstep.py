@@ -40,7 +40,7 @@ def note(found, runs):
             + ("none differs" if not total["different"] else f"{total['different']} DIFFER"))
     worst = max(runs, key=largest, default=None)
     if worst is not None:
-        text += f"; no number is further apart than {largest(worst):.3g} ulps ({worst['name']}), {found['ulps_allowed']:g} are allowed"
+        text += f"; numbers differ by at most {largest(worst):.3g} ulps ({worst['name']}); {found['ulps_allowed']:g} are allowed"
     return text + "."
 
 

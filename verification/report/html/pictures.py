@@ -30,7 +30,7 @@ def draw_scene(case, program):
         found = scene.geometry(program, case.deck_of(run))
         if found is not None:
             return scene.draw(found, table_or_none(case.runs_folder / run / "rbody.csv"))
-    return {"svg": "", "caption": "The deck is refused, as the case asks: there is no scene."}
+    return {"svg": "", "caption": "The deck is refused, as the case requires: there is no scene."}
 
 
 def draw_case(case, program):
@@ -52,8 +52,8 @@ def draw_case(case, program):
     return out
 
 
-def draw_family(groups, salt):
-    """Difference as a share of the tolerance for each check of a family, one row a case."""
+def draw_case_family(groups, salt):
+    """Difference as a share of the tolerance for each criterion of a case family, one row for each case."""
     import curves
     import matplotlib.pyplot as plt
 
@@ -69,6 +69,6 @@ def draw_family(groups, salt):
     axes.set_xscale("log")
     axes.set_ylim(len(groups) - 0.4, -0.6)
     axes.set_yticks(range(len(groups)), [name for name, _ in groups])
-    axes.set_xlabel("difference / tolerance (a check holds left of 1)")
+    axes.set_xlabel("difference / tolerance (a criterion holds left of 1)")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return curves.as_svg(figure, salt)

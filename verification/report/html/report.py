@@ -22,11 +22,11 @@ from sources import read_json
 from store import digest
 
 HERE = Path(__file__).resolve().parent
-FAMILIES = (
-    ("patch test", "Patch tests", "A pressed patch: which force arrives at which node, and in which direction."),
-    ("sliding continuity", "Sliding continuity", "Nodes pass from sub-triangle to sub-triangle and from segment to segment: the force must not jump."),
-    ("friction law", "Friction laws", "The coefficient of each law, stick and slip, and the filters of the friction force."),
-    ("Pmax limit", "Pmax limits", "A sheet that thickens under a pressure limit: its force, its energy, and the tangential limit."),
+CASE_FAMILIES = (
+    ("patch test", "Patch tests", "A patch pressed by a tool: the force on each node and its direction."),
+    ("sliding continuity", "Sliding continuity", "Nodes slide from one sub-triangle or segment to the next; the force must not jump."),
+    ("friction law", "Friction laws", "The friction coefficient of each law, stick and slip, and the filters of the friction force."),
+    ("Pmax limit", "Pmax limits", "A sheet thickens while the contact pressure is limited: force, energy and the limit of the friction force."),
 )
 
 
@@ -44,7 +44,7 @@ def draw_cases(cases, store, options):
 
 
 def note_on_curves(case, drawn):
-    """What the curves are, and in one sentence what they say."""
+    """What the curves are, and one sentence on their result."""
     if not drawn["curves"]:
         return "No run of this case writes histories."
     runs = drawn["runs"]
@@ -58,13 +58,13 @@ def note_on_curves(case, drawn):
         worst = max(histories, key=lambda record: record["difference"] if isinstance(record["difference"], (int, float)) else 0)
         column = max(worst["columns"], key=lambda c: c["scaled"] if isinstance(c["scaled"], (int, float)) else 0)
         text += (f". Largest difference from the measured histories: {words.small(worst['difference'])} of the column's largest value, "
-                 f"in {column['column']} at time {words.number(column['time'], 6)} (check {worst['id']}, tolerance {words.small(worst['tolerance'])})")
+                 f"in {column['column']} at time {words.number(column['time'], 6)} (criterion {worst['id']}, tolerance {words.small(worst['tolerance'])})")
     if drawn["optimized"] is not None:
         text += f". Largest difference of the optimized implementation from the reference: {words.small(drawn['optimized'])}"
     return text + "."
 
 
-def family_figures(groups, store):
+def case_family_figures(groups, store):
     for group in groups:
         points = [(case.name, [(r["kind"], tally.share(r)) for r in case.records if tally.share(r) is not None]) for case in group["cases"]]
         points = [row for row in points if row[1]]
@@ -73,24 +73,24 @@ def family_figures(groups, store):
             group["figure"], group["note"] = "", ""
             continue
         key = digest(pictures.CODE, repr(points))
-        group["figure"] = store.get(f"family-{group['id']}", key, lambda g=group, p=points: pictures.draw_family(p, g["id"]))
+        group["figure"] = store.get(f"family-{group['id']}", key, lambda g=group, p=points: pictures.draw_case_family(p, g["id"]))
         over = sum(part > 1 for part in shares)
         worst = max(((part, name) for name, row in points for _, part in row))
-        group["note"] = (f"{words.plural(len(shares), 'check')} of {words.plural(len(points), 'case')}: "
-                         + ("all left of 1" if not over else f"{over} right of 1, which fail")
-                         + f"; the closest to its limit, in {worst[1]}, uses {words.percent(worst[0], 1)} of its tolerance.")
+        group["note"] = (f"{words.plural(len(shares), 'criterion', 'criteria')} of {words.plural(len(points), 'case')}: "
+                         + ("all hold" if not over else f"{over} FAILED (right of 1)")
+                         + f"; the closest one, in {worst[1]}, uses {words.percent(worst[0], 1)} of its tolerance.")
 
 
 def grouped(cases):
-    """The four families, then the rest."""
+    """The four case families, then the other cases."""
     groups = [{"id": f"family-{name.replace(' ', '-')}", "title": title, "about": about, "cases": [c for c in cases if c.family == name]}
-              for name, title, about in FAMILIES]
-    rest = [case for case in cases if case.family not in {name for name, *_ in FAMILIES}]
+              for name, title, about in CASE_FAMILIES]
+    rest = [case for case in cases if case.family not in {name for name, *_ in CASE_FAMILIES}]
     return groups, rest
 
 
 def machine(sources, runs):
-    """Of the runs, as they say it themselves, and of the report."""
+    """The machine of the runs, as their results name it, and that of the report."""
     def values(name, rows):
         return sorted({str(row[name]) for row in rows if row.get(name)})
 
@@ -103,7 +103,7 @@ def machine(sources, runs):
 
 
 def optimized_runs(cases):
-    """run.json of the optimized implementation, where it was run."""
+    """run.json of each run of the optimized implementation."""
     found = (read_json(case.optimized_folder / run / "run.json") for case in cases for run in case.runs)
     return [run for run in found if run is not None]
 
@@ -112,7 +112,7 @@ def make(sources, store, options):
     cases = sources.cases
     drawn = draw_cases(cases, store, options)
     groups, rest = grouped(cases)
-    family_figures(groups, store)
+    case_family_figures(groups, store)
     runs = [run for case in cases for run in case.run_json.values()]
     fast_runs = optimized_runs(cases)
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, undefined=jinja2.StrictUndefined,
@@ -126,7 +126,7 @@ def make(sources, store, options):
         kinds=tally.by_kind(sources.records), total=tally.over_runs(runs), fast=tally.over_runs(fast_runs) if fast_runs else None,
         nearest=tally.nearest(sources.records), mutation=tally.mutation(sources.beside("mutation.json")),
         notes={case.name: note_on_curves(case, drawn[case.name]) for case in cases},
-        families=hard_cases.families(options.type21, options.cases / "decisions", store),
+        question_families=hard_cases.question_families(options.type21, options.cases / "decisions", store),
         atlas=hard_cases.atlas(options.type21, options.cases / "atlas", store),
         departures=departures.table(options.type21, cases), accuracy=accuracy.section(sources.beside("accuracy.json"), store),
         bench=bench.section(sources.beside("bench.json"), store), lockstep=lockstep.section(sources.beside("lockstep.json"), store),

@@ -1,4 +1,4 @@
-"""A drawing of the scene at time 0 in isometric view, as SVG: blank, tool, and the way the tool goes."""
+"""An isometric drawing of the scene at time 0, as SVG: blank, tool, and the motion of the tool."""
 
 import json
 import subprocess
@@ -58,8 +58,8 @@ def polygons(view, nodes, segments, side):
 
 
 def in_order(view, nodes, secondary, main):
-    """Shapes from back to front. Sheets that touch cannot be sorted piece by piece: the side that is behind where both are
-    seen goes first as a whole, and the one in front lets it shine through."""
+    """Shapes from back to front. Sheets that touch cannot be sorted piece by piece: the side that is
+    behind is drawn first as a whole, and the one in front is transparent."""
     middle = lambda segments: np.array([np.mean([nodes[corner] for corner in segment], axis=0) for segment in segments])
     blank, tool = middle(secondary), middle(main)
     flat = [np.stack([points @ RIGHT, points @ UP], axis=1) for points in (blank, tool)]
@@ -71,7 +71,7 @@ def in_order(view, nodes, secondary, main):
 
 
 def arrow(view, start, way):
-    """Where the tool goes; not to scale when that would be too short or too long to see."""
+    """The motion of the tool; not to scale when it would be too short or too long."""
     direction = np.array([way @ RIGHT, -(way @ UP)])
     length = float(np.linalg.norm(direction)) * view.scale
     if length < 1e-9:
@@ -121,7 +121,7 @@ def draw(found, rbody):
     length = summary["units"]["length"]
     moves = []
     if np.linalg.norm(way) > 0:
-        moves.append(f"the tool goes {np.linalg.norm(way):.4g} {length}{note}")
+        moves.append(f"the tool moves {np.linalg.norm(way):.4g} {length}{note}")
     if turn > 1e-12:
         moves.append(f"turns {np.degrees(turn):.4g}°")
     size = np.ptp(np.array([nodes[corner] for corner in used]), axis=0)

@@ -18,7 +18,7 @@ def draw(rows):
     """A panel for each shape of tool; solid: interpolated normals, as documented, dashed: those of the facets."""
     import matplotlib.pyplot as plt
 
-    # Below it jumps are rounding, and are drawn as such.
+    # Smaller jumps are rounding, and are drawn as such.
     seen = [jump for row in rows for what in ("normal", "facet_normal") for jump in row[what]["largest_jump"] if jump > ROUNDING]
     none = min(seen, default=1.0) / 10
     tools = list(dict.fromkeys(row["tool"] for row in rows))
@@ -33,7 +33,7 @@ def draw(rows):
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_title(tool)
-        axes.set_xlabel("way in a cycle [mm]")
+        axes.set_xlabel("displacement in a cycle [mm]")
         axes.minorticks_off()
         decades = [10.0 ** power for power in range(-12, 6) if none * 2 < 10.0 ** power <= 2 * max(seen, default=1.0)]
         axes.set_yticks([none, *decades], ["rounding", *(f"{jump:g}" for jump in decades)])
@@ -42,21 +42,21 @@ def draw(rows):
     for number, mesh in enumerate(meshes):
         panels[0, -1].plot([], [], "-", marker=MARKS[number % len(MARKS)], ms=4, color=curves.COLOURS[number], label=mesh)
     panels[0, -1].plot([], [], "-", color="#555555", label="interpolated normals")
-    panels[0, -1].plot([], [], "--", color="#555555", label="normals of facets")
+    panels[0, -1].plot([], [], "--", color="#555555", label="facet normals")
     curves.legend_below(figure, panels[0, -1], 3)
     return curves.as_svg(figure, "sliding")
 
 
 def note(rows):
-    """Which halve with the step, and what is left of the facets' jump where they do not."""
+    """Tools on which the jump halves with the step, and the remaining share where it does not."""
     none = [row for row in rows if row["normal"]["largest_jump"][-1] <= ROUNDING]
     smooth = [row for row in rows if row not in none and row["normal"]["largest_jump"][-1] < 0.6 * row["normal"]["largest_jump"][-2]]
     rest = [row for row in rows if row not in smooth and row not in none]
     text = f"On {len(smooth) + len(none)} of {len(rows)} tools the jump of the normal force halves with the step or is within rounding: the force is continuous"
     if rest:
         worst = max(rest, key=lambda row: row["normal"]["residual"] / row["facet_normal"]["residual"] if row["facet_normal"]["residual"] else 0)
-        text += (f"; on {', '.join(row['tool'] + ' ' + row['mesh'] for row in rest)} a part of it stays, at most "
-                 f"{100 * worst['normal']['residual'] / worst['facet_normal']['residual']:.2g} % of that of facet normals ({worst['tool']} {worst['mesh']})")
+        text += (f"; on {', '.join(row['tool'] + ' ' + row['mesh'] for row in rest)} a part of it remains, at most "
+                 f"{100 * worst['normal']['residual'] / worst['facet_normal']['residual']:.2g} % of the jump with facet normals ({worst['tool']} {worst['mesh']})")
     bad = [row for row in rows if not row["holds"]]
     return text + ("; all stay below their bounds." if not bad else f"; {len(bad)} EXCEED their bounds.")
 
@@ -67,5 +67,5 @@ def figure(found, store):
     if not rows:
         return None
     key = digest(HERE / "sliding.py", HERE / "curves.py", repr(rows))
-    return {"svg": store.get("sliding", key, lambda: draw(rows)), "title": "Largest jump of the normal force between cycles against the way of a cycle", "note": note(rows), "rows": rows,
+    return {"svg": store.get("sliding", key, lambda: draw(rows)), "title": "Largest jump of the normal force between cycles against the displacement in a cycle", "note": note(rows), "rows": rows,
             "long_runs": found.get("long_runs") or []}

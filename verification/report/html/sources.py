@@ -1,4 +1,4 @@
-"""The files a report is made from, as plain values: records of checks, cases, runs, histories."""
+"""The files a report is made from, as plain values: results of the criteria, cases, runs, histories."""
 
 import json
 import tomllib
@@ -59,7 +59,7 @@ def table_or_none(path):
 
 
 class Case:
-    """A folder of cases/, the records of its checks and its runs."""
+    """A folder of cases/, its runs and the results of its criteria."""
 
     def __init__(self, folder, records, runs_folder, optimized_folder):
         self.name = folder.name
@@ -70,7 +70,7 @@ class Case:
         self.family = toml.get("family", "")
         self.deck = toml.get("deck", f"{self.name}_0000.rad")
         self.runs = {run["name"]: run for run in toml["run"]}
-        self.checks = {check["id"]: check for check in toml["check"]}
+        self.criteria = {criterion["id"]: criterion for criterion in toml["criterion"]}
         self.records = records
         self.runs_folder = runs_folder / self.name
         self.optimized_folder = optimized_folder / self.name
@@ -106,7 +106,7 @@ class Sources:
         self.options = options
         records = read_json(options.results)
         if records is None:
-            raise ValueError(f"{options.results} is not there: scripts/verify makes it")
+            raise ValueError(f"{options.results} is missing: scripts/verify makes it")
         self.records = records
         by_case = {}
         for record in records:
@@ -114,7 +114,7 @@ class Sources:
         folders = sorted(path.parent for path in options.cases.glob("*/case.toml"))
         absent = sorted(set(by_case) - {folder.name for folder in folders})
         if absent:
-            raise ValueError(f"{options.results} has checks of {', '.join(absent)}, which {options.cases} does not hold")
+            raise ValueError(f"{options.results} has criteria of {', '.join(absent)}, which {options.cases} does not hold")
         self.cases = [Case(folder, by_case[folder.name], options.runs, options.optimized)
                       for folder in folders if folder.name in by_case]
         self.not_run = [folder.name for folder in folders if folder.name not in by_case]

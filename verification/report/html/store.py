@@ -1,4 +1,4 @@
-"""What was made from the same content is taken again: build/report/cache/<name>-<hash of all inputs>.json."""
+"""A cache of pictures and answers, by a hash of their inputs: build/report/cache/<name>-<hash of all inputs>.json."""
 
 import hashlib
 import json
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def digest(*parts):
-    """Hash of texts, bytes and files (by their content; a missing one counts as missing)."""
+    """Hash of texts, bytes and files (by their content; a missing file is hashed as missing)."""
     total = hashlib.blake2b(digest_size=16)
     for part in parts:
         if isinstance(part, Path):
@@ -32,7 +32,7 @@ class Store:
         return path
 
     def find(self, name, key):
-        """What was kept under this key; None when it has to be made."""
+        """The value kept under this key; None if it must be made."""
         try:
             found = json.loads(self.path(name, key).read_text())
         except (OSError, ValueError):
@@ -53,7 +53,7 @@ class Store:
         return self.keep(name, key, make()) if found is None else found
 
     def forget_the_rest(self):
-        """Removes what this report did not use."""
+        """Removes the entries that this report did not use."""
         for path in self.folder.glob("*.json"):
             if path.name not in self.used:
                 path.unlink()

@@ -4,7 +4,7 @@ KINDS = ("ANALYTIC", "EXACT", "EXTERNAL", "CROSS", "REGRESSION")
 
 
 def share(record):
-    """Difference over tolerance; None where a check has no such number."""
+    """Difference over tolerance; None if the criterion has no such number."""
     difference, tolerance = record["difference"], record["tolerance"]
     if not isinstance(difference, (int, float)) or not isinstance(tolerance, (int, float)) or tolerance <= 0:
         return None
@@ -20,7 +20,7 @@ def by_kind(records):
     return rows
 
 
-def add_funnel(total, decisions):
+def add_decisions(total, decisions):
     for stage, count in decisions["settled"].items():
         total["settled"][stage] = total["settled"].get(stage, 0) + count
     total["nothing_near"] += decisions["nothing_near"]
@@ -42,20 +42,20 @@ def over_runs(runs):
             total["cycles_in_contact"] += contact["cycles_in_contact"]
             total["in_contact"] += contact["most_in_contact"]
             total["nodes"] += contact["secondary_nodes"]
-            add_funnel(total["stage_counts"], result["decisions"])
+            add_decisions(total["stage_counts"], result["decisions"])
         total["without_contact"] += all(result["contact"]["most_in_contact"] == 0 for result in run["results"])
     total["stage_counts"]["decided"] = sum(total["stage_counts"]["settled"].values())
     return total
 
 
 def nearest(records, most=12):
-    """The checks that come closest to their tolerance."""
+    """The criteria that come closest to their tolerance."""
     known = [(share(record), record) for record in records if share(record) is not None]
     return [record | {"share": part} for part, record in sorted(known, key=lambda item: -item[0])[:most]]
 
 
 def mutation(found):
-    """Score of the mutations; None when there are none to look at."""
+    """Score of the mutations; None if there are none."""
     rows = (found or {}).get("mutations", [])
     if not rows:
         return None

@@ -1,4 +1,4 @@
-/// @file Balance of forces, power and energies of a contact, checked every cycle from the ContactStep alone.
+/// @file Balance of forces, power and energies of a contact, checked in every cycle from the ContactStep only.
 #pragma once
 
 #include <string_view>
@@ -26,7 +26,7 @@ struct Residual {
 /// rounding. Source: Formulation 7, step 7; Formulation 8, step 12.
 struct InterfaceBalance {
     Residual force, power, damping_energy, friction_energy, heat;
-    long cycles_in_contact = 0;  ///< cycles with a force on a node: 0 means that nothing was checked
+    long cycles_in_contact = 0;  ///< cycles with a force on a node: 0: nothing was checked
 };
 
 /// The residual that a case calls "force", "power", "CE_DAMP", "CE_FRIC" or "heat"; nullptr for another name.

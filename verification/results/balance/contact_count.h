@@ -1,4 +1,4 @@
-/// @file The contact in numbers: how many nodes touched, how deep, how they slid.
+/// @file Counts of the contact: nodes in contact, sticking and sliding, and the deepest penetration.
 #pragma once
 
 #include <vector>

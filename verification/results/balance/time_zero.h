@@ -1,4 +1,4 @@
-/// @file What is known of an interface before the first step: for `type21 check`.
+/// @file Quantities of an interface at time 0, for `type21 check`.
 #pragma once
 
 #include <vector>

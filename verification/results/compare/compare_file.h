@@ -1,4 +1,4 @@
-/// @file A result folder against one file of somebody else: a time-history file of OpenRadioss, or a CSV.
+/// @file Compares a result folder with one file: a time-history file of OpenRadioss, or a CSV.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,7 @@
 
 namespace type21 {
 
-/// The reference has interfaces or nodes of which it is not clear what they are in the run; the message says what to
-/// do.
+/// It is not clear to which interface of the run the reference belongs; the message says what to do.
 struct UnclearReference : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-/// @file Two result folders, or a result folder and the measured histories of a case.
+/// @file Compares two result folders, or a result folder and the measured histories of a case.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace type21 {
 
-/// What a case says about the comparison of one of its files.
+/// How a case compares one of its files.
 struct FileRule {
     std::string reference;  ///< file name in the second folder
     std::string ours;       ///< file name in the first folder
     CompareOptions options;
-    std::string label;   ///< "check 'interface'"
+    std::string label;   ///< "criterion 'interface'"
     std::string reason;  ///< for its tolerance and exclusions
 };
 
@@ -44,15 +44,15 @@ struct FolderComparison {
     bool nothing_in_common = false;
 
     bool ok() const;
-    /// Where the histories part: the earliest difference above its tolerance, of the first file that has it.
+    /// The earliest difference above its tolerance, of the first file that has it.
     std::optional<FirstDifference> first() const;
 };
 
 /// "nodes.csv" for "tool.csv": the tool's nodes are in the one file that a run writes. Otherwise the same name.
 std::string our_name(const std::string& reference_name);
 
-/// Pairs interface_*.csv, nodes.csv and rbody.csv by name; tool.csv of a case pairs with our nodes.csv. What only
-/// `ours` has is a mismatch when the reference is a result folder too (it has a run.json), and a note when it is a
+/// Pairs interface_*.csv, nodes.csv and rbody.csv by name; tool.csv of a case pairs with our nodes.csv. A file that
+/// only `ours` has is a mismatch if the reference is a result folder, too (it has a run.json), and a note if it is a
 /// case.
 FolderComparison compare_folders(const std::filesystem::path& ours, const std::filesystem::path& reference,
                                  const FolderOptions& options);

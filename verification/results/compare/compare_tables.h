@@ -1,4 +1,4 @@
-/// @file Two histories column by column: the largest difference, where, and whether it is small enough.
+/// @file Compares two histories column by column: the largest difference, its place, and whether it is allowed.
 #pragma once
 
 #include <optional>
@@ -41,7 +41,7 @@ struct ColumnResult {
     double tolerance = 0;
     bool ok = false;
     std::optional<Difference> first;  ///< the earliest above the tolerance
-    std::string remark;               ///< "not a number ..." ; empty when there is nothing to say
+    std::string remark;               ///< "not a number ..." ; empty if there is none
 };
 
 struct TableResult {

@@ -76,7 +76,7 @@ std::string to_text(const FolderComparison& comparison) {
     for (const std::string& mismatch : comparison.mismatches)
         out += fmt::format("MISMATCH: {}\n", mismatch);
     if (comparison.nothing_in_common)
-        return out + "Nothing in common: no history of the two folders could be compared\n";
+        return out + "Nothing in common: the folders have no history that could be compared\n";
     const FileComparison* worst = nullptr;
     for (const FileComparison& file : comparison.files)
         if (file.table.worst() && (!worst || file.table.worst()->scaled > worst->table.worst()->scaled)) worst = &file;

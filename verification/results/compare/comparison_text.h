@@ -1,4 +1,4 @@
-/// @file A comparison for people and for programs.
+/// @file A comparison as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace type21 {
 
-/// One block a file, one line a column, and a last line with the verdict.
+/// One block for each file, one line for each column, and a last line with the verdict.
 std::string to_text(const FolderComparison& comparison);
 
 /// Infinite differences (NaN in a history) are written as the string "inf", since JSON has no such number.

@@ -1,4 +1,4 @@
-/// @file Which rows of two histories belong together.
+/// @file Pairs the rows of two histories.
 #pragma once
 
 #include <string>
@@ -27,11 +27,10 @@ struct RowMatch {
     std::vector<std::string> mismatches;  ///< each makes the comparison fail
 };
 
-/// How far apart two times may be and still be the same: 1e-6 of the smaller of the two smallest steps, because
+/// Largest difference of two times that count as equal: 1e-6 of the smaller of the two smallest steps, because
 /// accumulated sums of steps differ in the last bits and no more. 0 when neither history has two times.
-/// @param rounding  relative, of times that were stored with fewer digits: they may be off by as much, but by no more
-/// than
-///                  a quarter of a step
+/// @param rounding  relative, of times that were stored with fewer digits: they may be off by as much, but by no
+///                  more than a quarter of a step
 double time_tolerance(const std::vector<double>& a, const std::vector<double>& b, double rounding = 0);
 
 /// The times of the thinner file decide. When one of them has no partner inside the overlap, the other file is

@@ -1,4 +1,4 @@
-/// @file Which times of two histories belong together; rows come after that.
+/// @file Pairs the times of two histories, before their rows are paired.
 #pragma once
 
 #include <string>

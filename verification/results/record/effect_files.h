@@ -1,4 +1,4 @@
-/// @file What effects write beside the histories: the skid line and the data for adaptive meshing.
+/// @file Files of effects beside the histories: the skid line and the data for adaptive meshing.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// @file The columns of nodes.csv: what /TH/NODE can ask of a node.
+/// @file The columns of nodes.csv: the variables of /TH/NODE.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct NodeColumn {
 /// Every variable in the order of the file: DX DY DZ VX .. AX .. VRX .. REACX .. REACXX .. X Y Z.
 const std::vector<NodeColumn>& node_columns();
 
-/// What the /TH/NODE groups of a deck ask for together.
+/// The nodes and variables of all /TH/NODE groups of a deck.
 struct NodeHistory {
     std::vector<int> nodes;           ///< index into Model::nodes, ascending, each once
     std::vector<NodeColumn> columns;  ///< union over the groups

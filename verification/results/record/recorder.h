@@ -1,4 +1,4 @@
-/// @file The observer that writes a run's histories while it goes.
+/// @file The observer that writes the histories during a run.
 #pragma once
 
 #include <filesystem>

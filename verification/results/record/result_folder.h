@@ -14,7 +14,7 @@ struct FolderError : std::runtime_error {
 
 /// Creates the folder and removes what an earlier run left in it (run.json, interface_*.csv, nodes.csv, rbody.csv, the
 /// files of paraview/).
-/// CSV files of these names without a run.json are somebody's data (a case's measured histories): they are refused,
+/// CSV files of these names without a run.json may be measured data, such as those of a case: the folder is refused,
 /// never removed.
 /// @throws FolderError
 void prepare_folder(const std::filesystem::path& folder);

@@ -20,14 +20,14 @@ struct RunProgress {
     bool last = false;
 };
 
-/// What a run leaves beside its histories.
+/// Optional files of a run.
 struct RunFiles {
     bool paraview = false;  ///< ParaviewFiles
 };
 
 /// Runs a prepared scene into a folder and writes run.json at the end, also when the run stops or something throws.
 /// @param progress  called every cycle; may be empty
-/// @param with      who computes the contact, one of contact_choices()
+/// @param with      implementation of the contact, one of contact_choices()
 /// @throws FolderError before anything is computed when the folder cannot be used
 RunSummary run_scene(const HostScene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options = {},

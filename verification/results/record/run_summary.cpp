@@ -29,11 +29,11 @@ Json balance_json(const InterfaceBalance& balance) {
 }
 
 /// Bytes of state and constants that each effect holds per secondary node; an effect that is absent holds none.
-Json rooms_json(const std::vector<std::vector<EffectMemory>>& rooms, size_t interface) {
+Json memory_json(const std::vector<std::vector<EffectMemory>>& memory, size_t interface) {
     Json json = Json::object();
-    if (interface >= rooms.size()) return json;
-    for (const EffectMemory& room : rooms[interface])
-        json[std::string(name(room.effect))] = room.bytes_per_node;
+    if (interface >= memory.size()) return json;
+    for (const EffectMemory& one : memory[interface])
+        json[std::string(name(one.effect))] = one.bytes_per_node;
     return json;
 }
 
@@ -57,9 +57,9 @@ void RunSummary::observe(const CycleRecord& record) {
     cycles = record.cycle + 1;
     time = record.time;
     totals = *record.totals;
-    if (rooms.empty())
+    if (memory.empty())
         for (const auto& method : *record.methods)
-            rooms.push_back(method->memory_by_effect());
+            memory.push_back(method->memory_by_effect());
     stage_counts.resize(record.methods->size());
     for (size_t i = 0; i < stage_counts.size(); ++i)
         stage_counts[i] = (*record.methods)[i]->decision_stage_counts();
@@ -105,7 +105,7 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
             final_values[column.name] = column.value(summary.totals[i]);
         results.push_back({{"interface", model.interfaces[i].id},
                            {"final", final_values},
-                           {"state_bytes_per_node", rooms_json(summary.rooms, i)},
+                           {"state_bytes_per_node", memory_json(summary.memory, i)},
                            {"decisions", to_json(summary.stage_counts.at(i))},
                            {"heat_to_blank", summary.totals[i].heat_to_blank},
                            {"heat_to_tool", summary.totals[i].heat_to_tool},
@@ -120,7 +120,7 @@ void write_json(const std::filesystem::path& path, const Json& json) {
     const std::filesystem::path fresh = path.string() + ".new";
     {
         std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-        // A name in a deck may be in any encoding: what is not UTF-8 is replaced, never thrown at the user.
+        // A name in a deck may be in any encoding: bytes that are not UTF-8 are replaced.
         file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
         file.flush();
         if (!file) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));

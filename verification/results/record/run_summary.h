@@ -1,4 +1,4 @@
-/// @file run.json: what was run, with what, and how it went.
+/// @file run.json: the model, the program and the outcome of a run.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,8 @@ struct RunSummary {
     std::vector<InterfaceTotals> totals;  ///< of the last cycle, per interface
     std::vector<InterfaceBalance> balance;
     std::vector<ContactCount> contact;
-    std::vector<std::vector<EffectMemory>> rooms;   ///< what each interface holds per node
-    std::vector<DecisionStageCounts> stage_counts;  ///< what settled the decisions of each interface
+    std::vector<std::vector<EffectMemory>> memory;  ///< bytes that each effect of an interface holds per node
+    std::vector<DecisionStageCounts> stage_counts;  ///< how many decisions of each interface each stage settled
 
     void observe(const CycleRecord& record);
 };
@@ -41,7 +41,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary, const HostScene& scene
 /// The resolved model alone: units, parameters, surfaces, effects. Shared with `type21 check --json`.
 nlohmann::ordered_json model_json(const HostScene& scene);
 
-/// Replaces run.json in one move, so that a reader never sees half of it.
+/// Replaces run.json in one step, so that a reader never sees an incomplete file.
 /// @throws std::runtime_error naming the file
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 

@@ -42,7 +42,7 @@ TEST(NewCase, TheFolderOfTheReadmeIsOneForBothImplementations) {
     for (const char* with : {"reference", "optimized"}) {
         const Outcome outcome = mine.verify(with);
         EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-        EXPECT_NE(outcome.out.find("1 checks (1 ANALYTIC) of 1 runs in 1 cases: all hold"), std::string::npos)
+        EXPECT_NE(outcome.out.find("1 criterion (1 ANALYTIC) of 1 run in 1 case: all hold"), std::string::npos)
             << outcome.out;
     }
 }

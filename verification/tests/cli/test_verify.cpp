@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 struct Cases {
     TempFolder folder;
 
-    explicit Cases(const std::string& checks) {
+    explicit Cases(const std::string& criteria) {
         for (const char* name : {"flat_press_0000.rad", "flat_press_0001.rad", "interface_1.csv"}) {
             fs::create_directories(folder / "mine");
             fs::copy_file(test::cases() / "flat_press" / name, folder / ("mine/" + std::string(name)));
@@ -22,7 +22,7 @@ struct Cases {
         test::write_text(folder / "mine/case.toml",
                          "statement = \"s\"\nsource = \"o\"\nfeatures = []\ndeck = \"flat_press_0000.rad\"\n"
                          "[[run]]\nname = \"a\"\nas_built = \"all\"\n" +
-                             checks);
+                             criteria);
     }
     Outcome verify(const std::string& more = "") const {
         return test::type21("verify --cases " + test::in_quotes(folder.path()) + " --scratch " +
@@ -31,10 +31,12 @@ struct Cases {
 };
 
 const std::string good =
-    "[[check]]\nid=\"g\"\nrun=\"a\"\nkind=\"EXTERNAL\"\nreference=\"interface_1.csv\"\ntolerance=1e-9\nreason=\"r\"\n"
-    "[[check]]\nid=\"b\"\nrun=\"a\"\nkind=\"ANALYTIC\"\nbalance=\"power\"\ntolerance=1e-12\nreason=\"r\"\n";
+    "[[criterion]]\nid=\"g\"\nrun=\"a\"\nkind=\"EXTERNAL\"\nreference=\"interface_1.csv\"\ntolerance=1e-9\nreason="
+    "\"r\"\n"
+    "[[criterion]]\nid=\"b\"\nrun=\"a\"\nkind=\"ANALYTIC\"\nbalance=\"power\"\ntolerance=1e-12\nreason=\"r\"\n";
 const std::string bad =
-    "[[check]]\nid=\"w\"\nrun=\"a\"\nkind=\"ANALYTIC\"\nfile=\"interface_1.csv\"\ncolumn=\"FNZ\"\nat=\"end\"\nexpected="
+    "[[criterion]]\nid=\"w\"\nrun=\"a\"\nkind=\"ANALYTIC\"\nfile=\"interface_1.csv\"\ncolumn=\"FNZ\"\nat="
+    "\"end\"\nexpected="
     "1\nunit=\"N "
     "s\"\ntolerance=1e-6\nreason=\"r\"\n";
 
@@ -43,7 +45,7 @@ TEST(Verify, ChecksThatHoldAreExitZero) {
     const Outcome outcome = cases.verify("--json " + test::in_quotes(cases.folder / "r/r.json") + " --junit " +
                                          test::in_quotes(cases.folder / "r/r.xml"));
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    EXPECT_NE(outcome.out.find("2 checks"), std::string::npos);
+    EXPECT_NE(outcome.out.find("2 criteria"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(test::read_text(cases.folder / "r/r.json")).size(), 2U);
     EXPECT_NE(test::read_text(cases.folder / "r/r.xml").find("failures=\"0\""), std::string::npos);
     EXPECT_TRUE(fs::exists(cases.folder / "scratch/mine/a/run.json"));
@@ -56,7 +58,7 @@ TEST(Verify, OneThatFailsIsExitThree) {
 }
 
 TEST(Verify, ACaseThatCannotBeReadIsExitTwo) {
-    const Outcome outcome = Cases(good + "[[check]]\nid=\n").verify();
+    const Outcome outcome = Cases(good + "[[criterion]]\nid=\n").verify();
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("case.toml:"), std::string::npos);
     EXPECT_EQ(Cases(good).verify("nosuchcase").code, 2);
@@ -74,7 +76,7 @@ TEST(Verify, ListRunsNothing) {
 }
 
 TEST(Verify, ADeckThatMustBeRefused) {
-    const Cases cases("[[check]]\nid=\"r\"\nrun=\"a\"\nkind=\"EXACT\"\nexpect_exit=2\nmessage=\"NOSUCHCARD\"\n");
+    const Cases cases("[[criterion]]\nid=\"r\"\nrun=\"a\"\nkind=\"EXACT\"\nexpect_exit=2\nmessage=\"NOSUCHCARD\"\n");
     EXPECT_EQ(cases.verify().code, 3);  // a good deck is not refused
     const fs::path deck = cases.folder / "mine/flat_press_0000.rad";
     std::string text = test::read_text(deck);

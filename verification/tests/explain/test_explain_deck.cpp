@@ -122,7 +122,7 @@ TEST(ExplainDeck, TheNumbersOfAHandCalculation) {
     const std::string text = account_text(account, small.model());
     EXPECT_NE(text.find("k p = 1000 x 0.2"), std::string::npos) << text;
     EXPECT_NE(text.find("= 200 "), std::string::npos) << text;
-    EXPECT_NE(text.find("the only sub-triangle that takes the node"), std::string::npos) << text;
+    EXPECT_NE(text.find("the only sub-triangle that accepts the node"), std::string::npos) << text;
     const auto json = account_json(account, small.model());
     EXPECT_NEAR(json["interfaces"][0]["force"][2].get<double>(), 200, 1e-10);
     EXPECT_TRUE(json["interfaces"][0]["replayed_to_the_last_bit"].get<bool>());
@@ -158,8 +158,8 @@ TEST(ExplainDeck, SaysWhyThereIsNoContact) {
     const auto text = [&](double time) {
         return account_text(explain_deck(later.scene(), {blank_id(later), time, {}}), later.model());
     };
-    EXPECT_NE(text(0.002).find("does not act at this time"), std::string::npos);
-    EXPECT_EQ(text(0.008).find("does not act at this time"), std::string::npos);
+    EXPECT_NE(text(0.002).find("is not active at this time"), std::string::npos);
+    EXPECT_EQ(text(0.008).find("is not active at this time"), std::string::npos);
     SmallScene off = resting({0.2, 0.1, 0.3});
     off.card().inacti.value = 1;
     EXPECT_NE(account_text(explain_deck(off.scene(), {blank_id(off), 0.0, {}}), off.model()).find("switched off"),

@@ -30,7 +30,7 @@ TEST(ExplainVerb, OfANode) {
     EXPECT_EQ(good.code, 0) << good.text;
     EXPECT_NE(good.text.find("retained impact"), std::string::npos);
     EXPECT_NE(good.text.find("manual page, equation (12)"), std::string::npos);
-    EXPECT_NE(good.text.find("to the last bit"), std::string::npos);
+    EXPECT_NE(good.text.find("the force is that of the run, in every bit"), std::string::npos);
 }
 
 TEST(ExplainVerb, OfWhatIsNotThere) {

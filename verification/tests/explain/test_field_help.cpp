@@ -45,7 +45,7 @@ TEST(FieldHelp, ColumnsUnitAndDefaultAreThoseOfTheModel) {
     has("VISs", "default     1 (0 means 1)");
     has("DEPTH", "default     0 means the larger of");
     has("NRadm", "default     3 (0 means 3)");
-    has("IDrby", "none: it must be given");
+    has("IDrby", "none; it must be given");
     has("Pmax", "Pa");
     has("Stfac", "Istf 0: -, Istf 1: N/m");
     has("C5", "Ifric 3: m/s");

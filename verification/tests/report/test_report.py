@@ -72,20 +72,20 @@ class Content(unittest.TestCase):
 
     def test_verdict_counts_what_the_records_say(self):
         records = json.loads((FOLDER / "results.json").read_text())
-        self.assert_has(self.text, f"{len(records)} checks: all hold")
+        self.assert_has(self.text, f"{len(records)} criteria: all hold")
         runs = [json.loads(path.read_text()) for path in (FOLDER / "runs").glob("*/*/run.json")]
         settled = [result["decisions"]["settled"] for run in runs for result in run["results"]]
         decided = sum(sum(stage.values()) for stage in settled)
         self.assertGreater(decided, 0)
         self.assert_has(self.text, f"{decided:,}".replace(",", "\u202f"))
 
-    def test_a_failed_check_stands_at_the_top(self):
+    def test_a_failed_criterion_is_at_the_top(self):
         records = json.loads((FOLDER / "results.json").read_text())
         records[3] |= {"verdict": "failed", "detail": "made up for this test"}
         (FOLDER / "failed.json").write_text(json.dumps(records))
         self.assertEqual(report(results="failed.json", out="failed.html").returncode, 0)
         text = (FOLDER / "failed.html").read_text()
-        self.assert_has(text, f"1 of {len(records)} checks failed")
+        self.assert_has(text, f"1 of {len(records)} criteria failed")
         self.assert_has(text, "made up for this test")
         self.assertFalse("all hold<" in text)
         report()
@@ -126,8 +126,8 @@ class Content(unittest.TestCase):
         subprocess.run([TYPE21, *words, "--json", out], check=True, capture_output=True, cwd=ROOT)
         return json.loads(out.read_text())
 
-    def test_what_was_not_run_is_said(self):
-        for words in ("build/report/mutation.json is not there", "type21 accuracy --json build/report/accuracy.json", "type21 bench --json build/report/bench.json",
+    def test_names_what_was_not_run(self):
+        for words in ("build/report/mutation.json is missing", "type21 accuracy --json build/report/accuracy.json", "type21 bench --json build/report/bench.json",
                       "type21 lockstep --json build/report/lockstep.json"):
             self.assert_has(self.text, words)
         for section in ("accuracy", "speed", "lockstep"):
@@ -135,7 +135,7 @@ class Content(unittest.TestCase):
 
     def test_mutations_are_shown_when_they_are_there(self):
         mutations = [{"effect": "Pmax", "broken": "infinite", "case": "pmax_plateau", "red": red} for red in (True, False)]
-        self.assert_has(self.with_files({"mutation.json": {"mutations": mutations}}), "1 of 2 broken effects turned a check red")
+        self.assert_has(self.with_files({"mutation.json": {"mutations": mutations}}), "1 of 2 broken effects made a criterion fail")
 
     def test_accuracy_is_told_in_numbers_of_the_file(self):
         found = self.asked("accuracy", "--quick", "--quiet", "--repeats", "3", "--scene", "mesh_flat", "--scene", "adversarial")
@@ -147,8 +147,8 @@ class Content(unittest.TestCase):
         plain |= {"wrong": 5, "decisions": 20, "ns": {"p50": 1234.0, "p95": 1300.0, "max": 1400.0, "min": 1200.0}}
         text = self.with_files({"accuracy.json": found})
         self.assert_has(text, "On mesh_flat plain double gets 25 % wrong in 1.23 µs, &#39;optimized, in stages&#39; none in ")
-        self.assert_has(text, "costs most when on, 7.5 ± 0.5 ns a node and cycle")
-        self.assert_has(text, "An effect that is off is not there")
+        self.assert_has(text, "costs most when on, 7.5 ± 0.5 ns for each node and cycle")
+        self.assert_has(text, "An effect that is off costs nothing")
         self.assert_has(text, found["cpu"])
         self.assert_has(text, found["flags_optimized"])
         effect["same_program"] = False
@@ -167,7 +167,7 @@ class Content(unittest.TestCase):
         text = self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3, "ratios": ratios, "targets": targets, "growth": growth}})
         self.assert_has(text, "1 of 2 targets reached")
         self.assert_has(text, "NOT REACHED")
-        self.assert_has(text, "in 1 of 2 comparisons, those below 1, the first is the faster one")
+        self.assert_has(text, "in 1 of 2 comparisons, those below 1, the first is faster")
         self.assert_has(text, "On a tool with 10 times the segments coherent takes 2 times as long.")
         self.assert_has(text, "coherent, 5 000 nodes")
         self.with_files({"bench.json": {"rows": [row], "cpu": "a cpu", "compiler": "a compiler", "repeats": 3}})
@@ -181,20 +181,20 @@ class Content(unittest.TestCase):
         text = self.with_files({"lockstep.json": steps, "stability.json": {"sliding": [jumps | {"tool": "flat", "mesh": "quad"}, stays]}})
         self.assert_has(text, "were compared, none differs")
         self.assert_has(text, "On 1 of 2 tools the jump of the normal force halves")
-        self.assert_has(text, "on flat warped a part of it stays, at most 20 % of that of facet normals")
+        self.assert_has(text, "on flat warped a part of it remains, at most 20 % of the jump with facet normals")
         steps["runs"][0] |= {"different": 7, "ok": False}
         steps["all"]["different"], steps["ok"] = 7, False
         text = self.with_files({"lockstep.json": steps})
         self.assert_has(text, "7 DIFFER")
         self.assert_has(text, "1 run DIFFER")
 
-    def test_a_case_shows_the_laws_that_it_has_been_on(self):
+    def test_a_case_shows_its_laws(self):
         self.assert_has(self.text, "Rings: |Fₜ| / |Fₙ| of nodes that slip, 0.086 to 0.741; lines: the law of the card at their speeds, dotted that of the optimized "
                                    "implementation, equal in every bit")
         self.assertRegex(self.text, r"Run documented\. The pressure stays at Pmax for penetrations from 0.01\d* to 0.0[45]\d* mm")
-        self.assertRegex(self.text, "[Hh]eat flows through")
+        self.assertRegex(self.text, "[Hh]eat flows with a conductance of")
 
-    def test_without_results_it_says_who_makes_them(self):
+    def test_without_results_it_names_the_script_that_makes_them(self):
         done = report(results="none.json", out="none.html")
         self.assertEqual(done.returncode, 1)
         self.assertIn("scripts/verify makes it", done.stderr)

@@ -41,7 +41,7 @@ struct CaseFolder {
 };
 
 std::string check(const std::string& form, const std::string& common = "tolerance = 1e-9\nreason = \"r\"\n") {
-    return "[[check]]\nid = \"c\"\nrun = \"a\"\nkind = \"EXTERNAL\"\n" + common + form;
+    return "[[criterion]]\nid = \"c\"\nrun = \"a\"\nkind = \"EXTERNAL\"\n" + common + form;
 }
 
 TEST(CaseFile, FamilyIsOneOfTheFourOrAbsent) {
@@ -58,16 +58,19 @@ TEST(CaseFile, FamilyIsOneOfTheFourOrAbsent) {
 TEST(CaseFile, ReadsTheSixForms) {
     const CaseFolder folder(
         head + "[[run]]\nname = \"b\"\n" +
-        "[[check]]\nid=\"1\"\nrun=\"a\"\nkind=\"EXTERNAL\"\ntolerance=1e-9\nreason=\"r\"\nreference=\"tool.csv\"\n"
+        "[[criterion]]\nid=\"1\"\nrun=\"a\"\nkind=\"EXTERNAL\"\ntolerance=1e-9\nreason=\"r\"\nreference=\"tool.csv\"\n"
         "columns=[\"DX\"]\nexclude=[\"DY\"]\nnodes=[1]\nfrom=1\nuntil=2.5\n"
-        "[[check]]\nid=\"2\"\nrun=\"b\"\nkind=\"ANALYTIC\"\ntolerance=0\nreason=\"r\"\nequation=\"e\"\nfile=\"nodes."
+        "[[criterion]]\nid=\"2\"\nrun=\"b\"\nkind=\"ANALYTIC\"\ntolerance=0\nreason=\"r\"\nequation=\"e\"\nfile="
+        "\"nodes."
         "csv\"\ncolumn=\"DX\"\n"
         "at=1e-3\nnode=7\nexpected=-2\nunit=\"mm\"\n"
-        "[[check]]\nid=\"3\"\nrun=\"b\"\nkind=\"EXACT\"\ntolerance=1e-12\nreason=\"r\"\nbalance=\"power\"\ninterface="
+        "[[criterion]]\nid=\"3\"\nrun=\"b\"\nkind=\"EXACT\"\ntolerance=1e-12\nreason=\"r\"\nbalance="
+        "\"power\"\ninterface="
         "1\n"
-        "[[check]]\nid=\"4\"\nrun=\"b\"\nkind=\"REGRESSION\"\nexpect_exit=2\nmessage=\"DEPTH.*mm\"\n"
-        "[[check]]\nid=\"5\"\nrun=\"b\"\nkind=\"CROSS\"\nexpect_stop=\"node 7\"\n"
-        "[[check]]\nid=\"6\"\nrun=\"b\"\nkind=\"EXTERNAL\"\ntolerance=0.1\nreason=\"r\"\ndiffers_from=\"interface_1."
+        "[[criterion]]\nid=\"4\"\nrun=\"b\"\nkind=\"REGRESSION\"\nexpect_exit=2\nmessage=\"DEPTH.*mm\"\n"
+        "[[criterion]]\nid=\"5\"\nrun=\"b\"\nkind=\"CROSS\"\nexpect_stop=\"node 7\"\n"
+        "[[criterion]]\nid=\"6\"\nrun=\"b\"\nkind=\"EXTERNAL\"\ntolerance=0.1\nreason=\"r\"\ndiffers_from=\"interface_"
+        "1."
         "csv\"\n"
         "column=\"FNX\"\nat=\"max\"\nby=0\nabsolute=true\nunit=\"N s\"\n");
     ASSERT_TRUE(folder.problems.empty()) << folder.all();
@@ -75,8 +78,8 @@ TEST(CaseFile, ReadsTheSixForms) {
     ASSERT_EQ(c.runs.size(), 2U);
     EXPECT_EQ(c.runs[0].as_built, "all,-D04");
     EXPECT_EQ(c.runs[1].deck, folder.folder / "d_0000.rad");
-    ASSERT_EQ(c.checks.size(), 6U);
-    const FileRule& rule = std::get<HistoryCheck>(c.checks[0].form).rule;
+    ASSERT_EQ(c.criteria.size(), 6U);
+    const FileRule& rule = std::get<HistoryCriterion>(c.criteria[0].form).rule;
     EXPECT_EQ(rule.ours, "nodes.csv");
     EXPECT_EQ(rule.options.columns, (std::vector<std::string>{"DX"}));
     EXPECT_EQ(rule.options.exclude, (std::vector<std::string>{"DY"}));
@@ -84,18 +87,18 @@ TEST(CaseFile, ReadsTheSixForms) {
     EXPECT_EQ(rule.options.window.from, 1);
     EXPECT_EQ(rule.options.window.until, 2.5);
     EXPECT_EQ(rule.options.tolerance, 1e-9);
-    const auto& value = std::get<ValueCheck>(c.checks[1].form);
+    const auto& value = std::get<ValueCriterion>(c.criteria[1].form);
     EXPECT_EQ(value.at.kind, At::Kind::time);
     EXPECT_EQ(value.at.time, 1e-3);
     EXPECT_EQ(value.object, 7);
     EXPECT_EQ(value.expected, -2);
-    EXPECT_EQ(c.checks[1].run, 1U);
-    EXPECT_EQ(c.checks[1].equation, "e");
-    EXPECT_EQ(c.checks[1].unit, "mm");
-    EXPECT_EQ(std::get<BalanceCheck>(c.checks[2].form).interface, 1);
-    EXPECT_EQ(std::get<RefusalCheck>(c.checks[3].form).message, "DEPTH.*mm");
-    EXPECT_EQ(std::get<StopCheck>(c.checks[4].form).message, "node 7");
-    const auto& departure = std::get<DepartureCheck>(c.checks[5].form);
+    EXPECT_EQ(c.criteria[1].run, 1U);
+    EXPECT_EQ(c.criteria[1].equation, "e");
+    EXPECT_EQ(c.criteria[1].unit, "mm");
+    EXPECT_EQ(std::get<BalanceCriterion>(c.criteria[2].form).interface, 1);
+    EXPECT_EQ(std::get<RefusalCriterion>(c.criteria[3].form).message, "DEPTH.*mm");
+    EXPECT_EQ(std::get<StopCriterion>(c.criteria[4].form).message, "node 7");
+    const auto& departure = std::get<DepartureCriterion>(c.criteria[5].form);
     EXPECT_EQ(departure.at.kind, At::Kind::largest);
     EXPECT_EQ(departure.file, "interface_1.csv");
     EXPECT_TRUE(departure.absolute);
@@ -105,18 +108,18 @@ TEST(CaseFile, ACheckMayBeAskedOfOneImplementation) {
     const std::string form = "reference = \"tool.csv\"\n";
     const CaseFolder good(head + check(form + "with = \"reference\"\n"));
     EXPECT_TRUE(good.problems.empty()) << good.all();
-    EXPECT_EQ(good.a_case.checks.at(0).with, "reference");
+    EXPECT_EQ(good.a_case.criteria.at(0).with, "reference");
     const CaseFolder bad(head + check(form + "with = \"abacus\"\n"));
     EXPECT_TRUE(bad.complains("with 'abacus' must be reference or optimized")) << bad.all();
 }
 
 TEST(CaseFile, NamesFileAndLine) {
-    const CaseFolder syntax(head + "[[check]\n");
+    const CaseFolder syntax(head + "[[criterion]\n");
     ASSERT_EQ(syntax.problems.size(), 1U);
     EXPECT_NE(syntax.problems[0].find("case.toml:8:"), std::string::npos) << syntax.all();
     const CaseFolder unknown(head + check("reference = \"interface_1.csv\"\ncolums = [\"FNX\"]\n"));
     ASSERT_EQ(unknown.problems.size(), 1U) << unknown.all();
-    EXPECT_NE(unknown.problems[0].find("case.toml:15: [[check]] 'c': unknown key 'colums'"), std::string::npos)
+    EXPECT_NE(unknown.problems[0].find("case.toml:15: [[criterion]] 'c': unknown key 'colums'"), std::string::npos)
         << unknown.all();
 }
 
@@ -127,7 +130,7 @@ TEST(CaseFile, ComplainsAboutEveryMistake) {
     };
     const std::string good = "reference = \"interface_1.csv\"\n";
     complains("", "'statement' is missing");
-    complains(head, "at least one [[check]]");
+    complains(head, "at least one [[criterion]]");
     complains("statement=\"s\"\nsource=\"o\"\nfeatures=[]\n", "at least one [[run]]");
     complains(head + check(good, "reason = \"r\"\n"), "'tolerance' is missing");
     complains(head + check(good, "tolerance = 1\n"), "'reason' is missing");
@@ -144,9 +147,9 @@ TEST(CaseFile, ComplainsAboutEveryMistake) {
     complains(head + check("file=\"f\"\ncolumn=\"c\"\nat=\"end\"\nexpected=0\nunit=\"N\"\n"), "needs absolute = true");
     complains(head + check("file=\"f\"\ncolumn=\"c\"\nat=\"end\"\nexpected=1\n"), "'unit' is missing");
     complains(head + check(good) + check(good), "id 'c' is there twice");
-    complains(head + "[[check]]\nid=\"c\"\nrun=\"z\"\nkind=\"EXTERNAL\"\n", "there is no [[run]] 'z'");
-    complains(head + "[[check]]\nid=\"c\"\nrun=\"a\"\nkind=\"GUESS\"\n", "kind 'GUESS'");
-    complains(head + "[[run]]\nname = \"b\"\n" + check(good), "[[run]] 'b' has no check");
+    complains(head + "[[criterion]]\nid=\"c\"\nrun=\"z\"\nkind=\"EXTERNAL\"\n", "there is no [[run]] 'z'");
+    complains(head + "[[criterion]]\nid=\"c\"\nrun=\"a\"\nkind=\"GUESS\"\n", "kind 'GUESS'");
+    complains(head + "[[run]]\nname = \"b\"\n" + check(good), "[[run]] 'b' has no criterion");
     complains(head + "[[run]]\nname = \"../b\"\n" + check(good), "must be letters");
     complains(head + "[[run]]\nname = \"b\"\nas_built = \"D99\"\n" + check(good), "D99");
     complains(head + "[[run]]\nname = \"b\"\ndeck = \"z.rad\"\n" + check(good), "z.rad is not there");
@@ -154,7 +157,7 @@ TEST(CaseFile, ComplainsAboutEveryMistake) {
 
 TEST(CaseFile, RulesBelongToTheRunWithTheSameDepartures) {
     const CaseFolder folder(head + "[[run]]\nname = \"documented\"\n" + check("reference = \"interface_1.csv\"\n") +
-                            "[[check]]\nid=\"d\"\nrun=\"documented\"\nkind=\"EXTERNAL\"\ntolerance=0.5\nreason="
+                            "[[criterion]]\nid=\"d\"\nrun=\"documented\"\nkind=\"EXTERNAL\"\ntolerance=0.5\nreason="
                             "\"r\"\nreference=\"tool.csv\"\n");
     ASSERT_TRUE(folder.problems.empty()) << folder.all();
     bool foreign = true;

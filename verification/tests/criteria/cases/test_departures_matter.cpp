@@ -1,5 +1,5 @@
 // Each departure that can be switched has a case with both numbers: two runs of one deck that differ in that departure
-// only, and the checks of the one fail on the results of the other.
+// only, and the criteria of the one fail on the results of the other.
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -42,8 +42,8 @@ bool tells_apart(const Case& a_case, size_t index, const CaseRun& other) {
     changed.as_built = other.as_built;
     TempFolder folder;
     const CaseOutcome outcome = run_case(changed, folder / "run", "reference");
-    for (const CaseCheck& check : a_case.checks) {
-        if (check.run != index || std::holds_alternative<BalanceCheck>(check.form)) continue;
+    for (const Criterion& criterion : a_case.criteria) {
+        if (criterion.run != index || std::holds_alternative<BalanceCriterion>(criterion.form)) continue;
         if (!evaluate(a_case, check, outcome).ok) return true;
     }
     return false;
@@ -69,7 +69,7 @@ TEST(DeparturesMatter, EachHasACaseWithBothNumbers) {
                 const auto difference = only_difference(a_case.runs[i], a_case.runs[j]);
                 if (!difference) continue;
                 EXPECT_TRUE(tells_apart(a_case, i, a_case.runs[j]))
-                    << a_case.name << ": the checks of run " << a_case.runs[i].name << " hold for run "
+                    << a_case.name << ": the criteria of run " << a_case.runs[i].name << " hold for run "
                     << a_case.runs[j].name << ", too";
                 if (i < j) ++shown[*difference];
             }

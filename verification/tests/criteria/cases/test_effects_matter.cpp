@@ -1,5 +1,5 @@
 // No case can pass with its effect off: the deck of a case is run once more with the field of the effect neutralised in
-// its text, and the case's own checks must then fail.
+// its text, and the case's own criteria must then fail.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -153,10 +153,10 @@ class SpoiltRun {
     CaseRun run_;
 };
 
-/// The checks of the run that have a number or a message of their own; balances hold with any law.
+/// The criteria of the run that have a number or a message of their own; balances hold with any law.
 struct Verdict {
     bool refused = false;
-    int checks = 0, failed = 0;
+    int criteria = 0, failed = 0;
     std::string text;
 };
 
@@ -167,12 +167,12 @@ Verdict verdict_of(const Case& a_case, size_t index, const CaseRun& run) {
     verdict.refused = outcome.refused;
     for (const std::string& problem : outcome.problems)
         verdict.text += problem + "\n";
-    for (const CaseCheck& check : a_case.checks) {
-        if (check.run != index || std::holds_alternative<BalanceCheck>(check.form)) continue;
-        const CheckResult result = evaluate(a_case, check, outcome);
-        ++verdict.checks;
+    for (const Criterion& criterion : a_case.criteria) {
+        if (criterion.run != index || std::holds_alternative<BalanceCriterion>(criterion.form)) continue;
+        const CriterionResult result = evaluate(a_case, criterion, outcome);
+        ++verdict.criteria;
         verdict.failed += result.ok ? 0 : 1;
-        verdict.text += fmt::format("{}: {}\n", check.id, result.ok ? "holds" : "fails");
+        verdict.text += fmt::format("{}: {}\n", criterion.id, result.ok ? "holds" : "fails");
     }
     return verdict;
 }
@@ -199,14 +199,14 @@ TEST_P(EffectsMatter, TheCaseFailsWithoutTheEffect) {
     const auto index = static_cast<size_t>(run - a_case.runs.begin());
 
     const Verdict with = verdict_of(a_case, index, *run);
-    EXPECT_GT(with.checks, 0);
+    EXPECT_GT(with.criteria, 0);
     EXPECT_EQ(with.failed, 0) << with.text;
     EXPECT_TRUE(planned(*run, row));
 
     const SpoiltRun spoilt(a_case, *run, row);
     const Verdict without = verdict_of(a_case, index, spoilt.run());
     EXPECT_FALSE(without.refused) << "a refused deck shows nothing of the effect:\n" << without.text;
-    EXPECT_GT(without.failed, 0) << "all checks hold although the effect is off:\n" << without.text;
+    EXPECT_GT(without.failed, 0) << "all criteria hold although the effect is off:\n" << without.text;
     EXPECT_EQ(planned(spoilt.run(), row), row.stays_planned);
 }
 

@@ -32,18 +32,18 @@ struct Scenario {
     }
 
     template <class Form>
-    CheckResult check(Form form, double tolerance) {
-        CaseCheck check;
-        check.id = "id";
-        check.tolerance = tolerance;
-        check.form = std::move(form);
-        a_case.checks = {check};
-        return evaluate(a_case, a_case.checks[0], outcome);
+    CriterionResult check(Form form, double tolerance) {
+        Criterion criterion;
+        criterion.id = "id";
+        criterion.tolerance = tolerance;
+        criterion.form = std::move(form);
+        a_case.criteria = {criterion};
+        return evaluate(a_case, a_case.criteria[0], outcome);
     }
 };
 
-HistoryCheck history_check(double tolerance) {
-    HistoryCheck form;
+HistoryCriterion history_criterion(double tolerance) {
+    HistoryCriterion form;
     form.rule.reference = form.rule.ours = "interface_1.csv";
     form.rule.options.tolerance = tolerance;
     return form;
@@ -51,18 +51,18 @@ HistoryCheck history_check(double tolerance) {
 
 TEST(Evaluate, AWholeHistory) {
     Scenario s;
-    EXPECT_TRUE(s.check(history_check(0.25), 0.25).ok);
-    const CheckResult failed = s.check(history_check(0.24), 0.24);
+    EXPECT_TRUE(s.check(history_criterion(0.25), 0.25).ok);
+    const CriterionResult failed = s.check(history_criterion(0.24), 0.24);
     EXPECT_FALSE(failed.ok);
     EXPECT_EQ(failed.difference, 0.25);
     EXPECT_NE(failed.detail.find("FNX at t = 1"), std::string::npos);
     std::filesystem::remove(s.ours / "interface_1.csv");
-    EXPECT_FALSE(s.check(history_check(1), 1).ok);
+    EXPECT_FALSE(s.check(history_criterion(1), 1).ok);
 }
 
 TEST(Evaluate, OneValueRelativeAndAbsolute) {
     Scenario s;
-    ValueCheck form{"interface_1.csv", "FNX", {}, {}, 4, false};
+    ValueCriterion form{"interface_1.csv", "FNX", {}, {}, 4, false};
     EXPECT_TRUE(s.check(form, 0.25).ok);
     EXPECT_FALSE(s.check(form, 0.2).ok);
     form.absolute = true;
@@ -75,7 +75,7 @@ TEST(Evaluate, OneValueRelativeAndAbsolute) {
 
 TEST(Evaluate, ADepartureSwitchedOff) {
     Scenario s;
-    DepartureCheck form{"interface_1.csv", "interface_1.csv", "FNX", {}, {}, 1.0, false};
+    DepartureCriterion form{"interface_1.csv", "interface_1.csv", "FNX", {}, {}, 1.0, false};
     EXPECT_TRUE(s.check(form, 0).ok);
     form.by = -1;
     EXPECT_FALSE(s.check(form, 0.5).ok);
@@ -87,51 +87,51 @@ TEST(Evaluate, ADepartureSwitchedOff) {
 
 TEST(Evaluate, TheBalanceOfAllInterfacesOrOfOne) {
     Scenario s;
-    EXPECT_TRUE(s.check(BalanceCheck{"power", {}}, 1e-3).ok);
-    EXPECT_FALSE(s.check(BalanceCheck{"power", {}}, 1e-4).ok);
-    EXPECT_TRUE(s.check(BalanceCheck{"power", 2}, 1e-6).ok);
-    EXPECT_TRUE(s.check(BalanceCheck{"force", {}}, 0).ok);
-    EXPECT_FALSE(s.check(BalanceCheck{"power", 3}, 1).ok);
+    EXPECT_TRUE(s.check(BalanceCriterion{"power", {}}, 1e-3).ok);
+    EXPECT_FALSE(s.check(BalanceCriterion{"power", {}}, 1e-4).ok);
+    EXPECT_TRUE(s.check(BalanceCriterion{"power", 2}, 1e-6).ok);
+    EXPECT_TRUE(s.check(BalanceCriterion{"force", {}}, 0).ok);
+    EXPECT_FALSE(s.check(BalanceCriterion{"power", 3}, 1).ok);
     for (InterfaceBalance& balance : s.outcome.summary.balance)
         balance.cycles_in_contact = 0;
-    EXPECT_FALSE(s.check(BalanceCheck{"force", {}}, 1).ok);
+    EXPECT_FALSE(s.check(BalanceCriterion{"force", {}}, 1).ok);
 }
 
 TEST(Evaluate, ARefusedDeckFailsAllButTheCheckThatExpectsIt) {
     Scenario s;
-    EXPECT_FALSE(s.check(RefusalCheck{"DEPTH"}, 0).ok);  // accepted
+    EXPECT_FALSE(s.check(RefusalCriterion{"DEPTH"}, 0).ok);  // accepted
     s.outcome.refused = true;
     s.outcome.problems = {"a.rad:3: error: other", "a.rad:5: error: field 'DEPTH' = -1 mm"};
-    EXPECT_TRUE(s.check(RefusalCheck{"'DEPTH' = -1"}, 0).ok);
-    EXPECT_FALSE(s.check(RefusalCheck{"Gapmin"}, 0).ok);
-    EXPECT_FALSE(s.check(history_check(1e9), 1e9).ok);
-    EXPECT_FALSE(s.check(BalanceCheck{"force", {}}, 1).ok);
-    EXPECT_FALSE(s.check(StopCheck{""}, 0).ok);
+    EXPECT_TRUE(s.check(RefusalCriterion{"'DEPTH' = -1"}, 0).ok);
+    EXPECT_FALSE(s.check(RefusalCriterion{"Gapmin"}, 0).ok);
+    EXPECT_FALSE(s.check(history_criterion(1e9), 1e9).ok);
+    EXPECT_FALSE(s.check(BalanceCriterion{"force", {}}, 1).ok);
+    EXPECT_FALSE(s.check(StopCriterion{""}, 0).ok);
 }
 
 TEST(Evaluate, AStoppedRunFailsUnlessItIsExpected) {
     Scenario s;
-    EXPECT_FALSE(s.check(StopCheck{"node 7"}, 0).ok);  // completed
+    EXPECT_FALSE(s.check(StopCriterion{"node 7"}, 0).ok);  // completed
     s.outcome.summary.state = RunSummary::State::stopped;
     s.outcome.summary.reason = "Invn: node 7";
-    EXPECT_TRUE(s.check(StopCheck{"node 7"}, 0).ok);
-    EXPECT_FALSE(s.check(StopCheck{"node 8"}, 0).ok);
-    EXPECT_FALSE(s.check(history_check(1), 1).ok);
+    EXPECT_TRUE(s.check(StopCriterion{"node 7"}, 0).ok);
+    EXPECT_FALSE(s.check(StopCriterion{"node 8"}, 0).ok);
+    EXPECT_FALSE(s.check(history_criterion(1), 1).ok);
 
-    CaseCheck stop, history;
-    stop.form = StopCheck{"node 7"};
-    history.form = history_check(1);
+    Criterion stop, history;
+    stop.form = StopCriterion{"node 7"};
+    history.form = history_criterion(1);
     history.tolerance = 1;
-    s.a_case.checks = {stop, history};
-    EXPECT_TRUE(evaluate(s.a_case, s.a_case.checks[1], s.outcome).ok);
+    s.a_case.criteria = {stop, history};
+    EXPECT_TRUE(evaluate(s.a_case, s.a_case.criteria[1], s.outcome).ok);
 }
 
 TEST(Evaluate, AnInternalErrorFailsEverything) {
     Scenario s;
     s.outcome.error = "disk full";
-    EXPECT_FALSE(s.check(history_check(1e9), 1e9).ok);
-    EXPECT_FALSE(s.check(RefusalCheck{""}, 0).ok);
-    EXPECT_EQ(s.check(StopCheck{""}, 0).detail, "disk full");
+    EXPECT_FALSE(s.check(history_criterion(1e9), 1e9).ok);
+    EXPECT_FALSE(s.check(RefusalCriterion{""}, 0).ok);
+    EXPECT_EQ(s.check(StopCriterion{""}, 0).detail, "disk full");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(MutationControl, WhatChangesNothingTurnsNothingRed) {
         {"nodes", "none", "nothing, but summed again", always, broken_nodes([](NodeContact&) {}), {}},
     };
     for (const MutationVerdict& verdict : judged(nothing, short_cases)) {
-        EXPECT_FALSE(verdict.red) << verdict.mutation.name << " in " << verdict.case_name << ": " << verdict.check;
+        EXPECT_FALSE(verdict.red) << verdict.mutation.name << " in " << verdict.case_name << ": " << verdict.criterion;
         EXPECT_TRUE(verdict.detail.empty()) << verdict.detail;
         EXPECT_GT(verdict.tried, 10);
     }

@@ -64,7 +64,7 @@ TEST(FuzzProgram, writes_nothing_where_nothing_is_wrong) {
 TEST(FuzzProgram, says_what_is_wrong_with_the_command_line) {
     const Outcome family = test::type21("fuzz --family nothing");
     EXPECT_EQ(family.code, 1);
-    EXPECT_NE(family.err.find("there is no family 'nothing'"), std::string::npos) << family.err;
+    EXPECT_NE(family.err.find("there is no question family 'nothing'"), std::string::npos) << family.err;
     EXPECT_EQ(test::type21("fuzz --count 0").code, 1);
     EXPECT_EQ(test::type21("fuzz --list").code, 0);
     EXPECT_EQ(test::type21("replay nothing.json").code, 2);

@@ -72,7 +72,7 @@ TEST(Balance, SeesADampingThatTheForceDoesNotHave) {
 
 TEST(Balance, SeesAForceThatActsElsewhereOnATurningTool) {
     OneNode one;
-    // The force was computed with the tool's velocity at another point than the one it is said to act at.
+    // The force was computed with the tool's velocity at another point than its point of action.
     one.cycle.contacts[0].nodes[0].point += Vec3(0, 0, 0.5);
     // Its power is the same by the identity; what the laws dissipated is not.
     EXPECT_GT(one.balance().friction_energy.relative, 1e-4);

@@ -81,11 +81,11 @@ TEST(CompareFolders, RulesOfTheCaseAreUsedAndAToleranceOverridesThem) {
     Folders folders;
     write_text(folders.ours / "interface_1.csv", "time,FNX,FNZ\n0,0,0\n1,1.5,2\n");
     FolderOptions options;
-    FileRule rule{"interface_1.csv", "interface_1.csv", {}, "check 'wide'", "because"};
+    FileRule rule{"interface_1.csv", "interface_1.csv", {}, "criterion 'wide'", "because"};
     rule.options.tolerance = 0.5;
     options.rules.push_back(rule);
     EXPECT_TRUE(folders.compare(options).ok());
-    EXPECT_NE(to_text(folders.compare(options)).find("check 'wide': because"), std::string::npos);
+    EXPECT_NE(to_text(folders.compare(options)).find("criterion 'wide': because"), std::string::npos);
     options.tolerance = 0.4;
     EXPECT_FALSE(folders.compare(options).ok());
 }

@@ -206,7 +206,7 @@ class Series(unittest.TestCase):
                         far = math.dist(a, b) if isinstance(a, tuple) else abs(a - b)
                         self.assertLessEqual(far, 1e-9 * size, name)
 
-    def test_units_are_said(self):
+    def test_units_are_given(self):
         blank = self.blank["reference"][0][1]
         self.assertEqual(blank.units[:3], ["time [s]", "points [mm]", "NODE_ID [-]"])
         for words in ("gap [mm]", "contact_force [N]", "contact_pressure [MPa]", "slip [mm]", "status [-]"):

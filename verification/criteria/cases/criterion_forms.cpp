@@ -1,4 +1,4 @@
-#include "verification/criteria/cases/check_forms.h"
+#include "verification/criteria/cases/criterion_forms.h"
 
 #include <cmath>
 #include <regex>
@@ -43,25 +43,25 @@ bool read_absolute(TomlKeys& keys, std::string_view key, double expected) {
     return absolute;
 }
 
-HistoryCheck read_history(TomlKeys& keys, const std::filesystem::path& folder, const CaseCheck& check) {
-    HistoryCheck form;
+HistoryCriterion read_history(TomlKeys& keys, const std::filesystem::path& folder, const Criterion& criterion) {
+    HistoryCriterion form;
     FileRule& rule = form.rule;
     rule.reference = keys.text("reference");
     require_file(keys, "reference", folder, rule.reference);
     rule.ours = keys.text_or("ours", our_name(rule.reference));
-    rule.options.tolerance = check.tolerance;
+    rule.options.tolerance = criterion.tolerance;
     rule.options.columns = keys.texts("columns");
     rule.options.exclude = keys.texts("exclude");
     rule.options.objects = keys.integers("nodes");
     if (const auto from = keys.optional_number("from")) rule.options.window.from = *from;
     if (const auto until = keys.optional_number("until")) rule.options.window.until = *until;
-    rule.label = fmt::format("check '{}'", check.id);
-    rule.reason = check.reason;
+    rule.label = fmt::format("criterion '{}'", criterion.id);
+    rule.reason = criterion.reason;
     return form;
 }
 
-ValueCheck read_value(TomlKeys& keys) {
-    ValueCheck form;
+ValueCriterion read_value(TomlKeys& keys) {
+    ValueCriterion form;
     form.file = keys.text("file");
     form.column = keys.text("column");
     form.at = read_at(keys);
@@ -71,22 +71,22 @@ ValueCheck read_value(TomlKeys& keys) {
     return form;
 }
 
-BalanceCheck read_balance(TomlKeys& keys) {
-    BalanceCheck form{keys.text("balance"), keys.optional_integer("interface")};
+BalanceCriterion read_balance(TomlKeys& keys) {
+    BalanceCriterion form{keys.text("balance"), keys.optional_integer("interface")};
     if (!form.quantity.empty() && !find_residual({}, form.quantity))
         keys.complain(keys.line("balance"),
                       "'balance' must be \"force\", \"power\", \"CE_DAMP\", \"CE_FRIC\" or \"heat\"");
     return form;
 }
 
-RefusalCheck read_refusal(TomlKeys& keys) {
+RefusalCriterion read_refusal(TomlKeys& keys) {
     if (keys.optional_integer("expect_exit") != 2)
         keys.complain(keys.line("expect_exit"), "'expect_exit' must be 2: the deck is refused");
     return {read_regex(keys, "message")};
 }
 
-DepartureCheck read_departure(TomlKeys& keys, const std::filesystem::path& folder) {
-    DepartureCheck form;
+DepartureCriterion read_departure(TomlKeys& keys, const std::filesystem::path& folder) {
+    DepartureCriterion form;
     form.reference = keys.text("differs_from");
     require_file(keys, "differs_from", folder, form.reference);
     form.file = keys.text_or("file", our_name(form.reference));
@@ -100,7 +100,7 @@ DepartureCheck read_departure(TomlKeys& keys, const std::filesystem::path& folde
 
 }  // namespace
 
-void read_form(TomlKeys& keys, const std::filesystem::path& folder, CaseCheck& check) {
+void read_form(TomlKeys& keys, const std::filesystem::path& folder, Criterion& criterion) {
     const bool refusal = keys.has("expect_exit");
     const bool stop = keys.has("expect_stop");
     const bool history = keys.has("reference");
@@ -113,27 +113,27 @@ void read_form(TomlKeys& keys, const std::filesystem::path& folder, CaseCheck& c
             "exactly one of reference, expected, balance, expect_exit, expect_stop and differs_from is needed");
     }
     if (refusal || stop) {
-        check.reason = keys.text_or("reason", "");
+        criterion.reason = keys.text_or("reason", "");
     } else {
-        check.reason = keys.text("reason");
-        check.tolerance = keys.number("tolerance");
-        if (!(check.tolerance >= 0) || std::isinf(check.tolerance))
+        criterion.reason = keys.text("reason");
+        criterion.tolerance = keys.number("tolerance");
+        if (!(criterion.tolerance >= 0) || std::isinf(criterion.tolerance))
             keys.complain(keys.line("tolerance"), "'tolerance' must be a finite number >= 0");
     }
-    if (value || departure) check.unit = keys.text("unit");
+    if (value || departure) criterion.unit = keys.text("unit");
 
     if (history)
-        check.form = read_history(keys, folder, check);
+        criterion.form = read_history(keys, folder, criterion);
     else if (departure)
-        check.form = read_departure(keys, folder);
+        criterion.form = read_departure(keys, folder);
     else if (value)
-        check.form = read_value(keys);
+        criterion.form = read_value(keys);
     else if (balance)
-        check.form = read_balance(keys);
+        criterion.form = read_balance(keys);
     else if (refusal)
-        check.form = read_refusal(keys);
+        criterion.form = read_refusal(keys);
     else if (stop)
-        check.form = StopCheck{read_regex(keys, "expect_stop")};
+        criterion.form = StopCriterion{read_regex(keys, "expect_stop")};
 }
 
 }  // namespace type21

@@ -1,4 +1,4 @@
-/// @file What came of one check.
+/// @file The result of one criterion.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace type21 {
 
-struct CheckResult {
+struct CriterionResult {
     std::string id, case_name, run, kind, equation;
     std::string expected;  ///< as text: a number, a file, a message
     std::string got;
@@ -18,11 +18,11 @@ struct CheckResult {
     double tolerance = 0;
     std::string unit, reason;
     bool ok = false;
-    bool skipped = false;               ///< not asked of the implementation that ran; ok, and counted apart
-    bool kept = false;                  ///< from an earlier run: nothing that it depends on has changed
+    bool skipped = false;               ///< does not apply to the implementation that ran; ok is true; counted apart
+    bool kept = false;                  ///< taken from an earlier run: nothing that it depends on has changed
     double seconds = 0;                 ///< of the run
     std::string detail;                 ///< where the largest difference is, or what went wrong
-    std::vector<ColumnResult> columns;  ///< of a whole history
+    std::vector<ColumnResult> columns;  ///< form 1: each column of the history
 };
 
 }  // namespace type21

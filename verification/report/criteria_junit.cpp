@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/report/check_report.h"
+#include "verification/report/criteria_report.h"
 
 namespace type21 {
 namespace {
@@ -33,14 +33,14 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string check_junit(const std::vector<CheckResult>& results) {
+std::string criteria_junit(const std::vector<CriterionResult>& results) {
     const auto failed =
-        std::count_if(results.begin(), results.end(), [](const CheckResult& result) { return !result.ok; });
+        std::count_if(results.begin(), results.end(), [](const CriterionResult& result) { return !result.ok; });
     std::string out = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"type21 verify\" tests=\"{}\" "
         "failures=\"{}\">\n",
         results.size(), failed);
-    for (const CheckResult& result : results) {
+    for (const CriterionResult& result : results) {
         out += fmt::format("<testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", escaped(result.case_name),
                            escaped(result.run), escaped(result.id), result.seconds);
         if (result.skipped) {

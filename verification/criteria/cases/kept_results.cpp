@@ -1,4 +1,4 @@
-#include "verification/criteria/cases/kept_checks.h"
+#include "verification/criteria/cases/kept_results.h"
 
 #include <algorithm>
 #include <fstream>
@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Every field that is kept, with its name: of a check that holds there is no first difference above the tolerance.
+/// The fields of a column that are kept. A criterion that holds has no first difference above its tolerance.
 template <class Column, class Visit>
 void each_field_of_column(Column& one, const Visit& visit) {
     visit("column", one.column);
@@ -29,9 +29,9 @@ void each_field_of_column(Column& one, const Visit& visit) {
     visit("remark", one.remark);
 }
 
-/// The same of a check, but for its columns.
-template <class Check, class Visit>
-void each_field(Check& one, const Visit& visit) {
+/// The fields of a result that are kept, but for its columns.
+template <class Result, class Visit>
+void each_field(Result& one, const Visit& visit) {
     visit("id", one.id);
     visit("case", one.case_name);
     visit("run", one.run);
@@ -77,7 +77,7 @@ struct Read {
     }
 };
 
-Json to_json(const CheckResult& one) {
+Json to_json(const CriterionResult& one) {
     Json json;
     each_field(one, Write{json});
     json["columns"] = Json::array();
@@ -86,8 +86,8 @@ Json to_json(const CheckResult& one) {
     return json;
 }
 
-CheckResult check_of(const Json& json) {
-    CheckResult one;
+CriterionResult result_of(const Json& json) {
+    CriterionResult one;
     each_field(one, Read{json});
     one.kept = true;
     for (const Json& column : json.at("columns"))
@@ -96,39 +96,39 @@ CheckResult check_of(const Json& json) {
 }
 
 fs::path file_of(const fs::path& folder) {
-    return folder.string() + ".checks.json";
+    return folder.string() + ".criteria.json";
 }
 
-/// A deck that is refused leaves no folder: its checks depend on the key alone.
+/// A deck that is refused leaves no folder: what its criteria give depends on the key only.
 std::string digest_of_results(const fs::path& folder) {
     return fs::exists(folder) ? digest_of(folder) : "none";
 }
 
 }  // namespace
 
-std::optional<std::vector<CheckResult>> kept_checks(const fs::path& folder, const std::string& key) {
+std::optional<std::vector<CriterionResult>> kept_results(const fs::path& folder, const std::string& key) {
     try {
         std::ifstream in(file_of(folder));
         if (!in) return std::nullopt;
         const Json kept = Json::parse(in);
         if (kept.at("key") != key || kept.at("results") != digest_of_results(folder)) return std::nullopt;
-        std::vector<CheckResult> checks;
-        for (const Json& one : kept.at("checks"))
-            checks.push_back(check_of(one));
-        return checks;
+        std::vector<CriterionResult> results;
+        for (const Json& one : kept.at("criteria"))
+            results.push_back(result_of(one));
+        return results;
     } catch (const std::exception&) {
-        return std::nullopt;  // damaged: as if there were none, the run is done again
+        return std::nullopt;  // a damaged file counts as none: the run is done again
     }
 }
 
-void keep_checks(const fs::path& folder, const std::string& key, const std::vector<CheckResult>& checks) {
+void keep_results(const fs::path& folder, const std::string& key, const std::vector<CriterionResult>& results) {
     std::error_code error;
     fs::remove(file_of(folder), error);
-    if (!std::all_of(checks.begin(), checks.end(), [](const CheckResult& one) { return one.ok; })) return;
-    Json kept = {{"key", key}, {"results", digest_of_results(folder)}, {"checks", Json::array()}};
-    for (const CheckResult& one : checks)
-        kept["checks"].push_back(to_json(one));
-    // A file that cannot be written, or a number that JSON does not have, costs a run the next time and nothing else.
+    if (!std::all_of(results.begin(), results.end(), [](const CriterionResult& one) { return one.ok; })) return;
+    Json kept = {{"key", key}, {"results", digest_of_results(folder)}, {"criteria", Json::array()}};
+    for (const CriterionResult& one : results)
+        kept["criteria"].push_back(to_json(one));
+    // If the file cannot be written, or holds a number that JSON does not have, the run is done again the next time.
     std::ofstream out(file_of(folder), std::ios::binary | std::ios::trunc);
     out << kept.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
 }

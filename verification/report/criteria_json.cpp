@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "verification/report/check_report.h"
+#include "verification/report/criteria_report.h"
 #include "verification/support/build_info.h"
 
 namespace type21 {
@@ -22,10 +22,10 @@ Json number_or_text(const std::optional<double>& value, const std::string& text)
 
 }  // namespace
 
-Json check_json(const std::vector<CheckResult>& results) {
+Json criteria_json(const std::vector<CriterionResult>& results) {
     const BuildInfo& build = build_info();
     Json out = Json::array();
-    for (const CheckResult& result : results) {
+    for (const CriterionResult& result : results) {
         Json record = {{"id", result.id},
                        {"case", result.case_name},
                        {"run", result.run},

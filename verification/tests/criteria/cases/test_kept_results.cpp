@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "verification/criteria/cases/digest.h"
-#include "verification/criteria/cases/kept_checks.h"
+#include "verification/criteria/cases/kept_results.h"
 #include "verification/criteria/cases/verify_cases.h"
-#include "verification/report/check_report.h"
+#include "verification/report/criteria_report.h"
 #include "verification/tests/temp_folder.h"
 
 namespace type21 {
@@ -45,21 +45,21 @@ class KeptChecks : public testing::Test {
     fs::path file(const std::string& name) const { return folder_.path() / name; }
 
     TempFolder folder_;
-    std::vector<CheckResult> results_;
+    std::vector<CriterionResult> results_;
 };
 
 TEST_F(KeptChecks, AreTheSameRecords) {
     EXPECT_EQ(verify(), "0 of 4");
-    auto first = check_json(results_);
+    auto first = criteria_json(results_);
     EXPECT_EQ(verify(), "4 of 4");
-    const auto second = check_json(results_);
+    const auto second = criteria_json(results_);
     ASSERT_EQ(first.size(), second.size());
     for (size_t i = 0; i < first.size(); ++i) {
         EXPECT_FALSE(first[i]["kept"]);
         first[i]["kept"] = true;
         EXPECT_EQ(first[i], second[i]);
     }
-    EXPECT_NE(check_table(results_).find("4 of the runs were kept"), std::string::npos);
+    EXPECT_NE(criteria_table(results_).find("4 runs were not repeated"), std::string::npos);
 }
 
 TEST_F(KeptChecks, BelongToTheCaseTheImplementationAndTheResults) {
@@ -87,7 +87,7 @@ TEST_F(KeptChecks, AreNotKeptWhereOneFailed) {
 
 TEST_F(KeptChecks, DamagedAreAsIfThereWereNone) {
     verify();
-    const fs::path kept = file("scratch/gapmin_default/documented.checks.json");
+    const fs::path kept = file("scratch/gapmin_default/documented.criteria.json");
     ASSERT_TRUE(fs::exists(kept));
     write_text(kept, read_text(kept).substr(0, 100));
     EXPECT_EQ(verify(), "3 of 4");

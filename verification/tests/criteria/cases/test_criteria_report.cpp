@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/report/check_report.h"
+#include "verification/report/criteria_report.h"
 #include "verification/support/build_info.h"
 
 namespace type21 {
 namespace {
 
-std::vector<CheckResult> two_results() {
-    CheckResult good;
+std::vector<CriterionResult> two_results() {
+    CriterionResult good;
     good.id = "good";
     good.case_name = "case";
     good.run = "run";
@@ -18,7 +18,7 @@ std::vector<CheckResult> two_results() {
     good.tolerance = 1e-9;
     good.unit = "N s";
     good.ok = true;
-    CheckResult bad = good;
+    CriterionResult bad = good;
     bad.id = "bad";
     bad.kind = "EXTERNAL";
     bad.difference = std::numeric_limits<double>::infinity();
@@ -28,16 +28,16 @@ std::vector<CheckResult> two_results() {
 }
 
 TEST(CheckReport, TheTableCountsAndNamesTheFailed) {
-    const std::string table = check_table(two_results());
+    const std::string table = criteria_table(two_results());
     EXPECT_NE(table.find("FAILED"), std::string::npos);
     EXPECT_NE(table.find("run run: a < b"), std::string::npos);
-    EXPECT_NE(table.find("2 checks (1 ANALYTIC, 1 EXTERNAL) of 1 runs in 1 cases: 1 FAILED"), std::string::npos)
+    EXPECT_NE(table.find("2 criteria (1 ANALYTIC, 1 EXTERNAL) of 1 run in 1 case: 1 FAILED"), std::string::npos)
         << table;
-    EXPECT_NE(check_table({two_results()[0]}).find("all hold"), std::string::npos);
+    EXPECT_NE(criteria_table({two_results()[0]}).find("all hold"), std::string::npos);
 }
 
 TEST(CheckReport, JsonHasOneCompleteRecordACheck) {
-    const nlohmann::ordered_json json = check_json(two_results());
+    const nlohmann::ordered_json json = criteria_json(two_results());
     ASSERT_EQ(json.size(), 2U);
     for (const char* key : {"id", "case", "run", "kind", "equation", "expected", "got", "difference", "tolerance",
                             "unit", "reason", "verdict", "seconds", "version", "compiler", "cpu"})
@@ -53,16 +53,16 @@ TEST(CheckReport, JsonHasOneCompleteRecordACheck) {
 }
 
 TEST(CheckReport, WhatWasSkippedIsCountedApart) {
-    CheckResult skipped = two_results()[0];
+    CriterionResult skipped = two_results()[0];
     skipped.skipped = true;
-    const std::string table = check_table({two_results()[0], skipped});
+    const std::string table = criteria_table({two_results()[0], skipped});
     EXPECT_NE(table.find("all hold, 1 skipped"), std::string::npos) << table;
-    EXPECT_EQ(check_json({skipped})[0]["verdict"], "skipped");
-    EXPECT_NE(check_junit({skipped}).find("<skipped"), std::string::npos);
+    EXPECT_EQ(criteria_json({skipped})[0]["verdict"], "skipped");
+    EXPECT_NE(criteria_junit({skipped}).find("<skipped"), std::string::npos);
 }
 
 TEST(CheckReport, JunitIsEscaped) {
-    const std::string xml = check_junit(two_results());
+    const std::string xml = criteria_junit(two_results());
     EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos);
     EXPECT_NE(xml.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
 }
