@@ -1,4 +1,4 @@
-/// @file A new case needs one folder and no code: the one that README.md shows.
+/// @file A new case needs one folder and no code: the one that cases/README.md shows.
 #include <gtest/gtest.h>
 
 #include "verification/tests/cli/program.h"
@@ -10,16 +10,16 @@ using test::Outcome;
 using test::TempFolder;
 namespace fs = std::filesystem;
 
-/// The case.toml in README.md.
+/// The case.toml in cases/README.md.
 std::string shown_in_readme() {
-    const std::string text = test::read_text(fs::path(TYPE21_SOURCE_DIR) / "README.md");
+    const std::string text = test::read_text(fs::path(TYPE21_SOURCE_DIR) / "cases/README.md");
     const std::string opening = "```toml\n";
     const size_t begin = text.find(opening);
-    if (begin == std::string::npos) throw std::runtime_error("README.md shows no case.toml");
+    if (begin == std::string::npos) throw std::runtime_error("cases/README.md shows no case.toml");
     return text.substr(begin + opening.size(), text.find("```", begin + 3) - begin - opening.size());
 }
 
-/// A folder of cases that holds the one of README.md and nothing else.
+/// A folder of cases that holds the one of cases/README.md and nothing else.
 struct MyCase {
     TempFolder cases;
 
