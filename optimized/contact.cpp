@@ -1,4 +1,5 @@
 #include <stdexcept>
+#include <string>
 #include <tbb/parallel_for.h>
 
 #include "optimized/contact_state.h"
@@ -200,6 +201,11 @@ size_t Contact::bytes_per_node() const {
 }
 
 std::unique_ptr<ContactMethod> make_contact(const Scene& scene, int interface) {
+    const size_t count = scene.model->interfaces.size();
+    if (interface < 0 || static_cast<size_t>(interface) >= count) {
+        throw std::out_of_range("there is no interface " + std::to_string(interface) + ": the model has " +
+                                std::to_string(count) + ", counted from 0");
+    }
     return std::make_unique<Contact>(scene, interface);
 }
 

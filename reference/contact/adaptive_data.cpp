@@ -30,17 +30,18 @@ SegmentCurvature segment_curvature(const SegmentShape<double>& s) {
     return curvature;
 }
 
-bool divides(const Interface& interface, const AdaptiveElement& element, const AsBuilt& as_built) {
-    const double factor = as_built.has(Departure::D37) ? std::numbers::sqrt2 : 1.0;
-    const double wanted = factor * (interface.iadm == 2 ? double(interface.nradm) : 1.0) * element.longest_edge;
-    if (element.radius < wanted) return true;
+bool divides(const Interface& interface, const AdaptiveElement& element, double radius_factor) {
+    const double smallest =
+        radius_factor * (interface.iadm == 2 ? double(interface.nradm) : 1.0) * element.longest_edge;
+    if (element.radius < smallest) return true;
     if (interface.iadm != 2) return false;
     const double limit = std::cos(interface.angladm * std::numbers::pi / 180.0);
     return element.cosine < limit && element.penetration > interface.padm;
 }
 
-AdaptiveData::AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool)
-    : model_(model), interface_(interface) {
+AdaptiveData::AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool,
+                           double radius_factor)
+    : model_(model), interface_(interface), radius_factor_(radius_factor) {
     curvature_.reserve(static_cast<size_t>(tool.size()));
     for (int s = 0; s < tool.size(); ++s)
         curvature_.push_back(segment_curvature(tool.shape(s)));
@@ -69,7 +70,7 @@ std::vector<AdaptiveElement> AdaptiveData::elements(const std::vector<NodeContac
             element.cosine = std::min(element.cosine, curvature.cosine);
             if (contact.gap > 0) element.penetration = std::max(element.penetration, contact.penetration / contact.gap);
         }
-        element.divide = divides(interface_, element, model_.as_built);
+        element.divide = divides(interface_, element, radius_factor_);
         elements.push_back(element);
     }
     return elements;

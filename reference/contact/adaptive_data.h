@@ -1,5 +1,4 @@
-/// @file What adaptive meshing needs to know of the contact (page comment 3, formulation section 9). Division itself is
-/// outside.
+/// @file What adaptive meshing needs to know of the contact (Formulation 9, step 15). No element is divided here.
 #pragma once
 
 #include <span>
@@ -16,24 +15,33 @@ struct SegmentCurvature {
     double cosine = 1;  ///< smallest <facet normal, nodal normal> over the corners [-]
 };
 
+/// @param segment  corners and nodal normals of one main segment, any frame
+/// @return radius and cosine.  Formulation 9, step 15.
 SegmentCurvature segment_curvature(const SegmentShape<double>& segment);
 
 /// Iadm 1: radius < longest edge.  Iadm 2: radius < NRadm x longest edge, or the angle between normals is larger than
-/// Angladm and the penetration, as a share of the gap, larger than Padm.  D37: sqrt(2) times that radius.
-/// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
-bool divides(const Interface& interface, const AdaptiveElement& element, const AsBuilt& as_built);
+/// Angladm and the penetration, as a share of the gap, larger than Padm.
+/// @param element        radius, cosine, penetration and longest edge; its `divide` is not read
+/// @param radius_factor  on the radius to be kept: 1; as built: D37 [-]
+/// @return whether the element is to be divided.  Formulation 9, step 15; manual page, comment 3.
+/// @manual field Iadm, NRadm, Padm, Angladm; comment 3
+bool divides(const Interface& interface, const AdaptiveElement& element, double radius_factor = 1.0);
 
-/// The room of Iadm: curvature of each main segment. Present only when the card asks for it.
+/// Curvature of each main segment. Present only when the card asks for Iadm.
 class AdaptiveData {
   public:
-    AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool);
+    /// @param radius_factor  of divides()
+    AdaptiveData(const ContactModel& model, const Interface& interface, const ToolSurface& tool, double radius_factor);
 
     /// One entry for each segment of the secondary surface.
+    /// @param nodes     of this cycle, one for each of SecondarySide::node
+    /// @param position  of each of ContactModel::nodes [length]
     std::vector<AdaptiveElement> elements(const std::vector<NodeContact>& nodes, std::span<const Vec3> position) const;
 
   private:
     const ContactModel& model_;
     const Interface& interface_;
+    double radius_factor_;
     std::vector<SegmentCurvature> curvature_;
 };
 

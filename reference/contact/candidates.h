@@ -1,4 +1,5 @@
-/// @file Which segments may reach a node: every segment whose box, grown by the farthest reach, holds it.
+/// @file Which segments may reach a node: every segment whose box, grown by the farthest reach, holds
+/// it (Formulation 4, step 1).
 #pragma once
 
 #include <vector>
@@ -17,9 +18,11 @@ namespace type21::reference {
 /// of the tool's size.
 class Candidates {
   public:
+    /// @param reach  largest of all gaps, DEPTH and the reach of heat [length]
     Candidates(const ToolSurface& tool, double reach);
 
-    /// Ranks of the segments that may reach y, ascending.
+    /// Ranks of the segments that may reach y, ascending; none for a y that is not finite.
+    /// @param y  node in the tool frame [length]
     std::vector<int> at(const Vec3& y) const;
 
   private:

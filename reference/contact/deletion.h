@@ -1,4 +1,4 @@
-/// @file Idel: a node whose elements are all deleted leaves the interface (page: Idel; formulation section 9).
+/// @file Idel: a node whose elements are all deleted leaves the interface (manual page: Idel; Formulation 9, step 3).
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace type21::reference {
 
-/// The room of Idel: the shells at each secondary node. A shell of thickness 0 in the history is a deleted one.
+/// The shells at each secondary node. A shell of thickness 0 is a deleted one. Present only when the card asks for
+/// Idel.
 /// @manual field Idel
 class Deletion {
   public:
@@ -27,7 +28,9 @@ class Deletion {
         }
     }
 
-    /// @param thickness  of each of Model::shells [length]; empty: nothing is deleted
+    /// Whether all shells at the node are deleted; false for a node without shells.
+    /// @param i          rank in SecondarySide::node, not checked
+    /// @param thickness  of each of ContactModel::shells [length]; empty: nothing is deleted
     bool deleted(int i, std::span<const double> thickness) const {
         const auto& shells = shells_[static_cast<size_t>(i)];
         return !thickness.empty() && !shells.empty() &&

@@ -1,4 +1,4 @@
-/// @file Sums that no order can change.
+/// @file Sums that no order can change (Formulation 10, step 9).
 #pragma once
 
 #include <vector>
@@ -11,12 +11,14 @@ namespace type21 {
 class ExactSum {
   public:
     void add(double value);
+    /// The sum, rounded once; 0 for none. A value that is not finite spoils it.
     double value() const;
 
   private:
     std::vector<double> partials_;  ///< not overlapping, in increasing magnitude
 };
 
+/// The same for each component of a vector.
 class ExactVectorSum {
   public:
     void add(const Vec3& v) {

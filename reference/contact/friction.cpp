@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/contact/friction_filter.h"
 #include "reference/contact/friction_law.h"
 
 namespace type21::reference {
 
-Friction::Friction(const ContactModel& model, const Interface& interface)
+Friction::Friction(const ContactModel& model, const Interface& interface, const ContactReading& reading)
     : model_(model),
       interface_(interface),
+      reading_(reading),
       force_(static_cast<size_t>(interface.secondary.size()), Vec3::Zero()),
       part_(static_cast<size_t>(interface.secondary.size()), -1) {
     // Part of a node, for the pairs of /FRICTION: that of the first segment of the surface that holds it.
@@ -32,12 +32,12 @@ double Friction::coefficient(int i, const FrictionInput& input) const {
     const double area = interface_.secondary.area[n];
     const double pressure = area > 0 ? input.normal_force / area : 0.0;
     const Vec3 tangential = input.velocity - input.normal * input.velocity.dot(input.normal);
-    return friction_coefficient(interface_.ifric, coefficients, pressure, tangential.norm(), model_.as_built);
+    return reading_.friction_coefficient(interface_.ifric, coefficients, pressure, tangential.norm());
 }
 
 FrictionForce Friction::act(int i, const FrictionInput& input) {
     const double limit = std::min(coefficient(i, input) * std::abs(input.normal_force), input.cap);
-    const double alpha = filter_constant(interface_, input.step, model_.as_built);
+    const double alpha = reading_.filter_constant(interface_, input.step);
     Vec3& remembered = force_[static_cast<size_t>(i)];
     FrictionForce result =
         friction_force(remembered, alpha * input.stiffness, input.velocity, input.step, input.normal, limit);

@@ -31,25 +31,22 @@ double renard(const FrictionCoefficients& f, double s) {
     return c[1] - 1.0 / (1.0 / (c[1] - c[3]) + excess * excess);
 }
 
-double exponential_decay(const FrictionCoefficients& f, double s, bool reversed) {
-    const double amplitude = reversed ? f.c[0] - f.fric : f.fric - f.c[0];
-    return f.c[0] + amplitude * std::exp(-f.c[1] * s);
+double exponential_decay(const FrictionCoefficients& f, double s) {
+    return f.c[0] + (f.fric - f.c[0]) * std::exp(-f.c[1] * s);
 }
 
 }  // namespace
 
-double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed,
-                            const AsBuilt& as_built) {
-    constexpr double floor = 1e-30;
+double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed) {
     switch (ifric) {
         case 1:
-            return std::max(viscous(coefficients, pressure, speed), floor);
+            return std::max(viscous(coefficients, pressure, speed), smallest_friction_coefficient);
         case 2:
-            return std::max(darmstadt(coefficients, pressure, speed), floor);
+            return std::max(darmstadt(coefficients, pressure, speed), smallest_friction_coefficient);
         case 3:
-            return std::max(renard(coefficients, speed), floor);
+            return std::max(renard(coefficients, speed), smallest_friction_coefficient);
         case 4:
-            return std::max(exponential_decay(coefficients, speed, as_built.has(Departure::D10)), floor);
+            return std::max(exponential_decay(coefficients, speed), smallest_friction_coefficient);
         default:
             return coefficients.fric;
     }
@@ -71,6 +68,10 @@ FrictionCoefficients friction_coefficients(const ContactModel& model, const Inte
         if (as_listed || swapped) return pair.coefficients;
     }
     return friction.fallback;
+}
+
+double friction_temperature(const Interface& interface, double blank, double tool) {
+    return interface.ascalef * (0.5 * (blank + tool));
 }
 
 }  // namespace type21::reference

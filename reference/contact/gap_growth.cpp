@@ -4,18 +4,23 @@
 
 namespace type21::reference {
 
-NodalGap grown_gap(const Interface& interface, double initial, double clipped0, double change,
-                   const AsBuilt& as_built) {
-    const double growth = 0.5 * interface.fscalegap * change;
-    const double start = as_built.has(Departure::D30) ? clipped0 : 0.5 * interface.fscalegap * initial;
-    NodalGap gap;
-    gap.raw = std::max(0.0, start + growth);
-    gap.clipped = std::max<double>(interface.gapmin, std::min<double>(gap.raw, interface.gapmax));
-    return gap;
+double bounded_gap(const Interface& interface, double raw) {
+    return std::max<double>(interface.gapmin, std::min<double>(raw, interface.gapmax));
+}
+
+NodalGap grown_gap(const Interface& interface, const SheetThickness& sheet) {
+    const double start = 0.5 * interface.fscalegap * sheet.initial;
+    const double growth = 0.5 * interface.fscalegap * sheet.change;
+    const double raw = std::max(0.0, start + growth);
+    return {raw, bounded_gap(interface, raw)};
+}
+
+double search_gap(const Interface& /*interface*/, const NodalGap& gap) {
+    return gap.clipped;
 }
 
 GapGrowth::GapGrowth(const ContactModel& model, const Interface& interface)
-    : model_(model), interface_(interface), shells_(static_cast<size_t>(interface.secondary.size())) {
+    : interface_(interface), shells_(static_cast<size_t>(interface.secondary.size())) {
     const auto& nodes = interface.secondary.node;
     for (size_t s = 0; s < model.shells.size(); ++s) {
         const Shell& shell = model.shells[s];
@@ -30,7 +35,7 @@ GapGrowth::GapGrowth(const ContactModel& model, const Interface& interface)
     }
 }
 
-NodalGap GapGrowth::gap(int i, std::span<const double> thickness) const {
+SheetThickness GapGrowth::sheet(int i, std::span<const double> thickness) const {
     const auto n = static_cast<size_t>(i);
     const SecondarySide& side = interface_.secondary;
     double now = side.thickness[n];
@@ -40,7 +45,7 @@ NodalGap GapGrowth::gap(int i, std::span<const double> thickness) const {
             now = std::max(now, thickness[static_cast<size_t>(shell)]);
     }
     const double initial = side.contact_thickness[n] != 0 ? side.contact_thickness[n] : side.thickness[n];
-    return grown_gap(interface_, initial, side.gap[n], now - side.thickness[n], model_.as_built);
+    return {initial, now - side.thickness[n], side.gap[n]};
 }
 
 }  // namespace type21::reference

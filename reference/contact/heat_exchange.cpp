@@ -5,38 +5,11 @@
 
 namespace type21::reference {
 
-HeatZones heat_zones(const Interface& interface, double distance, double gap, const AsBuilt& as_built) {
-    HeatZones zones;
-    zones.conduction = distance <= gap;
-    if (zones.conduction) return zones;
-    zones.distance = interface.function_distance >= 0 && distance <= interface.dcond;
-    // D15: the distance beyond the gap is compared with Drad.
-    const double reach = as_built.has(Departure::D15) ? distance - gap : distance;
-    zones.radiation = interface.frad > 0 && reach <= interface.drad;
-    return zones;
-}
-
-double conduction_conductance(double exchange, double distance, double conductivity) {
-    if (exchange <= 0) return 0;
-    if (distance <= 0) return exchange;
-    if (conductivity <= 0) return 0;
-    return 1.0 / (distance / conductivity + 1.0 / exchange);
-}
-
-double distance_conductance(double exchange, double share, double gap, double conductivity, const AsBuilt& as_built) {
-    if (as_built.has(Departure::D32)) return share * conduction_conductance(exchange, gap, conductivity);
-    return conduction_conductance(exchange * share, gap, conductivity);
-}
-
-double radiated(double frad, double tool_temperature, double blank_temperature) {
-    const double tool2 = tool_temperature * tool_temperature;
-    const double blank2 = blank_temperature * blank_temperature;
-    // (T_m^4 - T_s^4) without the cancellation of two large powers.
-    return frad * (tool2 + blank2) * (tool_temperature + blank_temperature) * (tool_temperature - blank_temperature);
-}
-
-HeatExchange::HeatExchange(const ContactModel& model, const Interface& interface)
-    : model_(model), interface_(interface), conductivity_(static_cast<size_t>(interface.secondary.size())) {
+HeatExchange::HeatExchange(const ContactModel& model, const Interface& interface, const ContactReading& reading)
+    : model_(model),
+      interface_(interface),
+      reading_(reading),
+      conductivity_(static_cast<size_t>(interface.secondary.size())) {
     const auto& nodes = interface.secondary.node;
     std::vector<double> weight(conductivity_.size(), 0.0);
     for (const Shell& shell : model.shells) {
@@ -74,7 +47,7 @@ HeatFlow HeatExchange::flow(int i, const HeatInput& input) const {
     const auto n = static_cast<size_t>(i);
     const double area = interface_.secondary.area[n];
     const double distance = std::max(input.distance, 0.0);
-    const HeatZones zones = heat_zones(interface_, distance, input.gap, model_.as_built);
+    const HeatZones zones = reading_.heat_zones(interface_, distance, input.gap);
     HeatFlow flow;
     if (!zones.any()) return flow;
     const double conductivity = conductivity_[n].at(input.blank_temperature);
@@ -86,7 +59,7 @@ HeatFlow HeatExchange::flow(int i, const HeatInput& input) const {
     } else if (zones.distance) {
         const Function& function = model_.functions[static_cast<size_t>(interface_.function_distance)];
         const double share = function((distance - input.gap) / (interface_.dcond - input.gap));
-        conductance = distance_conductance(exchange(0.0), share, input.gap, conductivity, model_.as_built);
+        conductance = reading_.distance_conductance(exchange(0.0), share, input.gap, conductivity);
     }
     flow.conductance = area * conductance;
     flow.heat = flow.conductance * difference * input.step;

@@ -1,4 +1,4 @@
-/// @file Normal force, its damping and its energy (page comment 5, formulation section 7).
+/// @file Elastic force, its energy and its damping (Formulation 7, step 2 to step 7).
 #pragma once
 
 #include <cmath>
@@ -6,35 +6,36 @@
 namespace type21::reference {
 
 /// F = k p
-/// @param stiffness    k [force/length]
-/// @param penetration  p >= 0 [length]
+/// @param stiffness    k, >= 0 [force/length]
+/// @param penetration  p, >= 0 [length]
+/// @return F [force], >= 0.  Formulation 7, step 2.
 inline double elastic_force(double stiffness, double penetration) {
     return stiffness * penetration;
 }
 
-/// Integral of F dp: k p^2 / 2 [energy]
+/// E = k p^2 / 2, the integral of F dp
+/// @param stiffness    k, >= 0 [force/length]
+/// @param penetration  p, >= 0 [length]
+/// @return E [energy], >= 0.  Formulation 7, step 4; as built: D05.
 inline double elastic_energy(double stiffness, double penetration) {
     return 0.5 * stiffness * penetration * penetration;
 }
 
-/// D05, Istf 1 with Igap 0 or 1: Stfac raised to the power p^2 for each node whose k is not 0. Its value has no
-/// dimension.
-/// @manual departure D05
-inline double elastic_energy_as_built(double stfac, double stiffness, double penetration) {
-    return stiffness != 0 ? std::pow(stfac, penetration * penetration) : 0.0;
-}
-
 /// C = VISs sqrt(2 k m)
 /// @param viss       VISs, share of the critical damping [-]
-/// @param stiffness  k [force/length]
-/// @param mass       m, lumped mass of the node [mass]
-/// @return C [force time/length]
+/// @param stiffness  k, >= 0 [force/length]
+/// @param mass       m, lumped mass of the node, >= 0 [mass]
+/// @return C [force time/length].  Formulation 7, step 6.
 /// @manual field VISs
 inline double damping_coefficient(double viss, double stiffness, double mass) {
     return viss * std::sqrt(2.0 * stiffness * mass);
 }
 
-/// Stiffness handed to the time step: k + C/dt1, and k where dt1 = 0 [force/length]
+/// Stiffness handed to the time step: k + C/dt1, and k where dt1 = 0.
+/// @param stiffness  k [force/length]
+/// @param damping    C [force time/length]
+/// @param step       dt1, >= 0 [time]
+/// @return [force/length].  Formulation 7, step 7.
 inline double step_stiffness(double stiffness, double damping, double step) {
     return step > 0 ? stiffness + damping / step : stiffness;
 }

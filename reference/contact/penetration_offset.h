@@ -1,5 +1,4 @@
-/// @file The penetration offset P0: what of a penetration is forgiven, and for how long (page comment 9, formulation
-/// section 6).
+/// @file The penetration offset P0: what of a penetration is forgiven, and for how long (chapter 6 of the formulation).
 #pragma once
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 
 namespace type21::reference {
 
-/// What a node remembers of its impact.
+/// What a node remembers of its impact.  Formulation 6, step 5.
 struct PenetrationHistory {
     double offset = 0;  ///< P0 [length]
     int cycles = 0;     ///< consecutive cycles retained in contact with p_g > 0
@@ -18,7 +17,8 @@ struct PenetrationHistory {
 /// @param penetration  p_g at time 0 [length]
 /// @param gap          g [length]
 /// @param depth        DEPTH [length]
-/// @manual field Inacti; comment 9; departure D26
+/// @return P0 [length], >= 0.  Formulation 6, step 1; manual page, comment 9.
+/// @manual field Inacti; comment 9
 inline double initial_offset(int inacti, double penetration, double gap, double depth) {
     if (penetration <= 0) return 0;
     if (inacti == 5) return penetration;
@@ -28,19 +28,37 @@ inline double initial_offset(int inacti, double penetration, double gap, double 
 
 /// P0 of the next cycle: it follows a decreasing penetration by 5 % a cycle and never grows.
 ///   P0 <- min(P0, 0.95 P0 + 0.05 p_g),   with p_g + 0.05 |g - p_g| in place of p_g for Inacti 6
+/// @param offset       P0 so far [length]
+/// @param inacti       Inacti as it acts
+/// @param penetration  p_g [length]
+/// @param gap          g [length]
+/// @return P0 [length], <= offset.  Formulation 6, step 3.
 /// @manual field Inacti; comment 9
 inline double relaxed_offset(double offset, int inacti, double penetration, double gap) {
     const double target = inacti == 6 ? penetration + 0.05 * std::abs(gap - penetration) : penetration;
     return std::min(offset, 0.95 * offset + 0.05 * target);
 }
 
-/// p = max(0, p_g - P0) [length]
+/// Inacti as it acts on later impacts: that of the card.
+/// @param any_penetrates  some node penetrates at time 0
+/// @return Inacti.  Formulation 6, step 3; as built: D26.
+inline int inacti_of_later_impacts(int inacti, bool /*any_penetrates*/) {
+    return inacti;
+}
+
+/// p = max(0, p_g - P0)
+/// @param penetration  p_g [length]
+/// @param offset       P0 [length]
+/// @return p [length], >= 0.  Formulation 6, step 3.
 inline double effective_penetration(double penetration, double offset) {
     return std::max(0.0, penetration - offset);
 }
 
 /// Whether the stiffness acts: where p = 0 it does only in the first cycle of an impact (so that damping acts), and not
 /// at time 0 with Inacti 5 and 6.
+/// @param effective  p [length]
+/// @param cycles     of this impact, this one included
+/// @param time_zero  this is the cycle of time 0.  Formulation 6, step 4.
 inline bool stiffness_acts(double effective, int cycles, int inacti, bool time_zero) {
     if (effective > 0) return true;
     const bool forgiven = time_zero && (inacti == 5 || inacti == 6);

@@ -1,4 +1,4 @@
-/// @file Pressure limit of a sheet that thickens (page comment 5, equations (5) and (6); formulation section 7).
+/// @file Pressure limit of a sheet that thickens (Formulation 7, step 3; Formulation 8, step 10).
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@ struct PmaxLimit {
 };
 
 /// Whether the sheet has grown so far that the limit acts: k Delta > P_A.
+/// @param stiffness  k [force/length].  Formulation 7, step 3.
 inline bool limited(double stiffness, const PmaxLimit& limit) {
     return stiffness * limit.gap_growth > limit.pressure_force;
 }
@@ -23,7 +24,7 @@ inline bool limited(double stiffness, const PmaxLimit& limit) {
 ///   again
 /// @param stiffness    k [force/length]
 /// @param penetration  p >= 0 [length]
-/// @return F [force]
+/// @return F [force], >= 0.  Formulation 7, step 3; manual page, comment 5, equation (5).
 /// @manual eq 5; field Pmax; comment 5
 inline double limited_force(double stiffness, double penetration, const PmaxLimit& limit) {
     if (!limited(stiffness, limit)) return stiffness * penetration;
@@ -33,7 +34,9 @@ inline double limited_force(double stiffness, double penetration, const PmaxLimi
 
 /// Integral of that F over p, exact: the part of p that the spring takes is p_s = F / k and carries F p_s / 2; the rest
 /// is the plateau, p - p_s at the force P_A.
-/// @return [energy]
+/// @param stiffness    k [force/length]
+/// @param penetration  p >= 0 [length]
+/// @return [energy], >= 0.  Formulation 7, step 4.
 /// @manual eq 5; field Pmax
 inline double limited_energy(double stiffness, double penetration, const PmaxLimit& limit) {
     if (!limited(stiffness, limit)) return 0.5 * stiffness * penetration * penetration;
@@ -44,7 +47,8 @@ inline double limited_energy(double stiffness, double penetration, const PmaxLim
 
 /// Largest tangential force, equation (6): A Pmax / sqrt(3), the shear yield of the limit pressure. Only with ITlim 0
 /// and Igap 2.
-/// @param pressure_force  P_A [force]
+/// @param pressure_force  P_A, >= 0 [force]
+/// @return [force].  Formulation 8, step 10; manual page, comment 5, equation (6).
 /// @manual eq 6; field ITlim, Pmax; comment 5
 inline double tangential_limit(double pressure_force) {
     return pressure_force / std::sqrt(3.0);

@@ -1,5 +1,5 @@
-/// @file Projection of a node on one sub-triangle along interpolated normals (formulation section 3).
-/// Only + - x / and comparisons: the text is the same for double and for exact numbers, and a reader sees the geometry.
+/// @file Projection of a node on one sub-triangle along interpolated normals (chapter 3 of the formulation).
+/// Only + - x / and comparisons: the text is the same for double and for exact numbers.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,26 @@ namespace type21::reference {
 // Two functions that do not decide: their value is continuous where they branch. A type that only encloses its value
 // overloads them, so that they never ask it for an answer.
 
+/// |value|
 template <class Number>
 Number magnitude(const Number& value) {
     return value < Number(0) ? Number(-value) : value;
 }
 
-/// To [0, 1].
+/// The nearest number in [0, 1].
 template <class Number>
 Number clipped(const Number& value) {
     if (value < Number(0)) return Number(0);
     return value > Number(1) ? Number(1) : value;
 }
 
-/// Bounds of the weights, and what happens to a normal that leans away from the triangle.
+/// Bounds of the weights, and what happens to a normal that does not face outward.
+/// Formulation 3, step 1; Formulation 3, step 2.
 template <class Number>
 struct ProjectionLimits {
     Number low = Number(-0.01);  ///< a weight below it is outside; the double nearest to -0.01
     Number high = Number(1.01);  ///< b + c above it is outside; the double nearest to 1.01
-    bool lift_leaning = false;   ///< D35: <n_V, N> <= 0 is lifted with 1e-30 in its place and not rejected
+    bool lift_leaning = false;   ///< <n_V, N> <= 0 is raised and does not reject (as built: D35)
 };
 
 /// Weights of a point in a triangle; a = 1 - b - c.
@@ -38,7 +40,7 @@ struct Barycentric {
     Number c{0};
 };
 
-/// Where the node lands.
+/// Result of an accepted projection.
 template <class Number>
 struct Projection {
     Barycentric<Number> weights;                     ///< of Q in A B C, unclipped [-]
@@ -49,6 +51,9 @@ struct Projection {
 
 /// Weights of a point in (A, B, C) whose area vector is `area`:
 ///   b = -<N, (A - Q) x (C - Q)> / |N|^2,   c = <N, (A - Q) x (B - Q)> / |N|^2
+/// @param q     the point, in the plane of the triangle [length]
+/// @param area  N, not zero [length^2]
+/// @return b and c [-].  Formulation 3, step 2.
 template <class Number>
 Barycentric<Number> barycentric(const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
                                 const Vector<Number>& c, const Vector<Number>& area) {
@@ -63,6 +68,7 @@ Barycentric<Number> barycentric(const Vector<Number>& q, const Vector<Number>& a
     return {-along_b / square, along_c / square};
 }
 
+/// Whether a point counts as inside, with the margin of the limits.  Formulation 3, step 2.
 template <class Number>
 bool inside(const Barycentric<Number>& w, const ProjectionLimits<Number>& limits) {
     const Number sum = w.b + w.c;
@@ -79,61 +85,85 @@ enum class ProjectionStep {
     weights          ///< b, c
 };
 
-/// Who does not want to know the numbers of a projection: nothing is kept, nothing is computed for it.
+/// Default trace: records nothing.
 struct NoTrace {
     template <class... Number>
     void operator()(ProjectionStep, const Number&...) const {}
 };
 
+/// <n_A, N>, <n_B, N>, <n_C, N>: above 0 where a corner normal faces outward [length^2].
+template <class Number>
+struct CornerSlopes {
+    Number a, b, c;
+
+    bool all_positive() const { return a > Number(0) && b > Number(0) && c > Number(0); }
+    /// D35: a normal that does not face outward is lifted with a tiny slope in its place.
+    /// @manual departure D35
+    void raise() {
+        const Number tiny(1e-30);
+        if (a < tiny) a = tiny;
+        if (b < tiny) b = tiny;
+        if (c < tiny) c = tiny;
+    }
+};
+
+/// The corners of a lifted sub-triangle [length].
+template <class Number>
+struct LiftedTriangle {
+    Vector<Number> a, b, c;
+};
+
+/// Lifts A, B, C along their normals to the plane through P that is parallel to the sub-triangle. A node on its plane
+/// (H = 0) lifts nothing, and a normal that does not face outward does not matter to it.
+/// @param height  H = <P - A, N> [length^3]
+/// @return nothing where a normal does not face outward.  Formulation 3, step 1; as built: D35.
+template <class Number>
+std::optional<LiftedTriangle<Number>> lift(const SubTriangle<Number>& t, const Number& height,
+                                           CornerSlopes<Number> slopes, const ProjectionLimits<Number>& limits) {
+    const bool rises = slopes.all_positive();
+    if (!rises && height == Number(0)) return LiftedTriangle<Number>{t.a, t.b, t.c};
+    if (!rises && !limits.lift_leaning) return std::nullopt;
+    if (!rises) slopes.raise();
+    LiftedTriangle<Number> lifted{t.a, t.b, t.c};
+    lifted.a += t.normal_a * (height / slopes.a);
+    lifted.b += t.normal_b * (height / slopes.b);
+    lifted.c += t.normal_c * (height / slopes.c);
+    return lifted;
+}
+
 /// Projects P on the sub-triangle: lift the triangle to the node's height along the corner normals, read the weights
 /// there, interpolate the normal with them, and follow it down to the triangle.
+/// @param p      the node [length]
+/// @param t      the sub-triangle in the same frame
 /// @param trace  called with each ProjectionStep and its numbers
-/// @return nothing where the sub-triangle rejects the node. Source: formulation section 3, steps 1 to 3.
-/// @manual departure D35
+/// @return nothing where the sub-triangle rejects the node.  Formulation 3, step 1 to step 3.
+/// @throws what Number throws where it cannot tell; double throws nothing
 template <class Number, class Trace = NoTrace>
 std::optional<Projection<Number>> project(const Vector<Number>& p, const SubTriangle<Number>& t,
                                           const ProjectionLimits<Number>& limits, Trace&& trace = Trace()) {
     const Number zero(0);
+
+    // Formulation 3, step 1: lift the corners to the height of the node.
     const Vector<Number> ap = p - t.a;
     const Number height = ap.dot(t.area);
     trace(ProjectionStep::height, height);
+    const CornerSlopes<Number> slopes{t.normal_a.dot(t.area), t.normal_b.dot(t.area), t.normal_c.dot(t.area)};
+    trace(ProjectionStep::corner_slopes, slopes.a, slopes.b, slopes.c);
+    const auto lifted = lift(t, height, slopes, limits);
+    if (!lifted) return std::nullopt;
 
-    // 1: lift A, B, C along their normals to the plane through P. A node on the plane (H = 0) lifts nothing, and a
-    // normal that leans away from the triangle does not matter to it.
-    Number slope_a = t.normal_a.dot(t.area);
-    Number slope_b = t.normal_b.dot(t.area);
-    Number slope_c = t.normal_c.dot(t.area);
-    trace(ProjectionStep::corner_slopes, slope_a, slope_b, slope_c);
-    const bool leaning = !(slope_a > zero) || !(slope_b > zero) || !(slope_c > zero);
-    const bool lifted = !leaning || height != zero;
-    if (leaning && lifted) {
-        if (!limits.lift_leaning) return std::nullopt;
-        const Number guard(1e-30);
-        if (slope_a < guard) slope_a = guard;
-        if (slope_b < guard) slope_b = guard;
-        if (slope_c < guard) slope_c = guard;
-    }
-    Vector<Number> lifted_a = t.a;
-    Vector<Number> lifted_b = t.b;
-    Vector<Number> lifted_c = t.c;
-    if (lifted) {
-        lifted_a += t.normal_a * (height / slope_a);
-        lifted_b += t.normal_b * (height / slope_b);
-        lifted_c += t.normal_c * (height / slope_c);
-    }
-
-    // 2: the lifted triangle must not be turned over, and P must lie in it.
-    const Vector<Number> lifted_ab = lifted_b - lifted_a;
-    const Vector<Number> lifted_ac = lifted_c - lifted_a;
+    // Formulation 3, step 2: the lifted triangle must not be turned over, and P must lie in it.
+    const Vector<Number> lifted_ab = lifted->b - lifted->a;
+    const Vector<Number> lifted_ac = lifted->c - lifted->a;
     const Vector<Number> lifted_area = lifted_ab.cross(lifted_ac);
     const Number turn = lifted_area.dot(t.area);
     trace(ProjectionStep::turn, turn);
     if (!(turn > zero)) return std::nullopt;
-    const Barycentric<Number> first = barycentric(p, lifted_a, lifted_b, lifted_c, lifted_area);
+    const Barycentric<Number> first = barycentric(p, lifted->a, lifted->b, lifted->c, lifted_area);
     trace(ProjectionStep::lifted_weights, first.b, first.c);
     if (!inside(first, limits)) return std::nullopt;
 
-    // 3: follow the interpolated normal down to the triangle.
+    // Formulation 3, step 3: follow the interpolated normal down to the triangle.
     const Number first_a = Number(1) - first.b - first.c;
     const Vector<Number> normal = t.normal_a * first_a + t.normal_b * first.b + t.normal_c * first.c;
     const Number slope = normal.dot(t.area);
@@ -153,7 +183,8 @@ struct Approach {
     int side = +1;               ///< +1 outward of the plane or on it, -1 behind
 };
 
-/// Formulation section 3, step 4.
+/// @param p  the node [length]
+/// @param w  its weights on t, unclipped.  Formulation 3, step 4.
 template <class Number>
 Approach<Number> approach(const Vector<Number>& p, const SubTriangle<Number>& t, const Barycentric<Number>& w) {
     const Number a = clipped(Number(Number(1) - w.b - w.c));
@@ -166,7 +197,7 @@ Approach<Number> approach(const Vector<Number>& p, const SubTriangle<Number>& t,
     return {offset.dot(offset), outward < Number(0) ? -1 : +1};
 }
 
-/// kappa = |1/3 - b| + |1/3 - c| + |2/3 - b - c|: 0 at the centroid. Formulation section 3, step 6.
+/// kappa = |1/3 - b| + |1/3 - c| + |2/3 - b - c|: 0 at the centroid [-].  Formulation 3, step 6.
 template <class Number>
 Number centrality(const Barycentric<Number>& w) {
     const Number third = Number(1) / Number(3);

@@ -1,4 +1,4 @@
-/// @file The pieces of a segment on which a node is projected (formulation section 1).
+/// @file The pieces of a segment on which a node is projected (Formulation 1, step 3; Formulation 1, step 5).
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ struct SegmentShape {
 /// One sub-triangle (A, B, C) with the normals at its corners.
 template <class Number>
 struct SubTriangle {
-    Vector<Number> a, b, c;  ///< corners [length]
-    Vector<Number> normal_a, normal_b,
-        normal_c;         ///< normals there; normal_a of a quad is a mean and not of unit length [-]
-    Vector<Number> area;  ///< N = (B - A) x (C - A), twice the area, outward [length^2]
+    Vector<Number> a, b, c;             ///< corners [length]
+    Vector<Number> normal_a;            ///< normal at A; of a quad a mean and not of unit length [-]
+    Vector<Number> normal_b, normal_c;  ///< normals at B and C [-]
+    Vector<Number> area;                ///< N = (B - A) x (C - A), twice the area, outward [length^2]
 };
 
 /// Mean of four, with one division: the exact mean when Number is exact.
@@ -33,7 +33,10 @@ Vector<Number> mean(const std::array<Vector<Number>, 4>& four) {
 }
 
 /// Sub-triangle k of a segment: quad (A, x_k, x_{k+1}) round A = mean of its nodes; triangle A = x_3, B = x_1, C = x_2.
-/// @param k  1..4 for a quad, 1 for a triangle
+/// @param k  1..4 for a quad, 1 for a triangle; not checked
+/// @return corners, normals and area vector; the normal at A of a quad is the plain mean.  Formulation 1, step 3;
+/// Formulation 1, step 5
+///.
 template <class Number>
 SubTriangle<Number> sub_triangle(const SegmentShape<Number>& segment, int k) {
     SubTriangle<Number> t;

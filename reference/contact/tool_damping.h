@@ -1,24 +1,39 @@
-/// @file Damping of the tool's own motion (page comment 19, formulation section 9).
+/// @file Damping of the tool's own motion (Formulation 9, step 16).
 #pragma once
 
 #include <cmath>
-
-#include <Eigen/Eigenvalues>
 
 #include "reference/contract/vector.h"
 
 namespace type21::reference {
 
+/// Sums over the nodes in contact that a whole tool feels.
+struct ToolStiffness {
+    double translation = 0;  ///< of k [force/length]
+    double rotation = 0;     ///< of k |X - x_G|^2 [moment]
+};
+
+/// Stiffness on which the tool is damped: the sum of k.
+/// @param contact  of k
+/// @param step     of k + C/dt1.  Formulation 9, step 16; as built: D13.
+inline ToolStiffness tool_damping_stiffness(const ToolStiffness& contact, const ToolStiffness& /*step*/) {
+    return contact;
+}
+
 /// C = 2 share sqrt(inertia * stiffness): the share of the critical damping of the tool on its contact.
 /// @param share      Damp, or Dampr for the rotation [-]
 /// @param inertia    M, mass of the tool [mass], or I, its smallest principal inertia [mass length^2]
 /// @param stiffness  sum of k [force/length], or of k |X - x_G|^2 [moment]
-/// @manual field Damp, Dampr; comment 19; departure D13
+/// @return C [force time/length], or [moment time] for the rotation.  Formulation 9, step 16.
+/// @manual field Damp, Dampr; comment 19
 inline double tool_damping_coefficient(double share, double inertia, double stiffness) {
     return 2.0 * share * std::sqrt(inertia * stiffness);
 }
 
-/// Force on the tool: -C (V - V_ref); its opposite acts on the tool of IDref. V_ref = 0 without IDref. Torque likewise.
+/// Force on the tool: -C (V - V_ref); its opposite acts on the tool of IDref. V_ref = 0 without IDref. The moment
+/// likewise.
+/// @param coefficient  C [force time/length], or [moment time] with angular velocities
+/// @return [force] or [moment].  Formulation 9, step 16; manual page, comment 19.
 /// @manual field IDref; comment 19
 inline Vec3 tool_damping(double coefficient, const Vec3& velocity, const Vec3& reference_velocity) {
     return -coefficient * (velocity - reference_velocity);

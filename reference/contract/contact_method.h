@@ -23,7 +23,7 @@ struct InitialPenetration {
 /// Memory that an effect holds for each secondary node.
 struct EffectMemory {
     Effect effect = Effect::elastic;
-    size_t bytes_per_node = 0;
+    size_t bytes_per_node = 0;  ///< [byte]
 };
 
 /// One TYPE21 interface with its history: friction force, penetration offset, contact count and what effects remember
@@ -34,39 +34,50 @@ class ContactMethod {
 
     /// Computes one cycle from the motion and from what is remembered, and remembers what the next cycle needs.
     ///
-    /// **Order.** Call it once for each cycle, with times that do not decrease. The history belongs to the object: a
-    /// cycle cannot be taken back, and a cycle that is left out is a cycle in which nothing happened to the history.
+    /// **Order.** Call it once for each cycle, with times that do not decrease; this is not checked. The history
+    /// belongs to the object: a cycle cannot be taken back. A cycle that is left out changes nothing in the history.
     ///
-    /// **Time 0.** The first call looks at the initial penetrations (Inacti), also when the interface is still
-    /// inactive. Pass it motion.time = 0 and motion.step = 0: at time 0 the elastic force acts in full and no friction
-    /// has accumulated (Formulation 6, step 1). A first call at a later time is taken as a first impact.
+    /// **Time 0.** The first call applies Inacti to the penetrations that it finds, also when the interface is still
+    /// inactive. Pass it motion.time = 0 and motion.step = 0: at time 0 the elastic force acts in full and friction has
+    /// no increment (Formulation 6, step 1). Each call with a time of 0 or less is taken as time 0. If the first call
+    /// has a later time, Inacti does nothing and each penetration is a first impact (Formulation 6, step 2).
     ///
-    /// **Motion.** position, velocity and temperature are read only during the call, indexed like ContactModel::nodes;
-    /// one pose in motion.tools for each of ContactModel::rigid_bodies. Sizes are not checked.
+    /// **Motion.** position and velocity have one entry for each of ContactModel::nodes, temperature too where the
+    /// interface exchanges heat, thickness one for each of ContactModel::shells or none. tools has one pose for each of
+    /// ContactModel::rigid_bodies. All are read only during the call. Sizes are not checked: a span that is too short
+    /// is read beyond its end.
+    ///
+    /// **Not finite.** Nothing is checked and nothing is thrown. A node whose position is not finite has no impact. A
+    /// velocity or temperature that is not finite spoils the forces or the heat of its node, and the sums.
+    ///
+    /// **Inactive.** Outside of Tstart and Tstop, or while the sensor is off, the result has `active` false and is
+    /// empty otherwise; the history stays as it is.
     ///
     /// **Concurrency.** One call at a time for one object. Different objects may step at the same time, also when they
     /// share a Scene. The optimized implementation uses the threads of the calling TBB arena; its result is the same
     /// bits for any number of them.
     ///
-    /// **Cost.** Proportional to the secondary nodes. The reference projects a node on every segment whose box holds it
-    /// and writes about 400 bytes a node (NodeContact); step_into() uses the memory of an earlier step again.
+    /// **Cost.** Proportional to the secondary nodes, with about 300 bytes written for each (NodeContact). The
+    /// reference projects a node on every segment whose box holds it.
     ///
-    /// @throws std::bad_alloc. A NaN in the motion gives no exception: the host checks its own state.
+    /// @throws std::bad_alloc
     virtual ContactStep step(const Motion& motion) = 0;
 
-    /// The same cycle, written into a step of an earlier cycle whose memory is used again.
+    /// The same cycle, written into a step of an earlier cycle. The optimized implementation uses its memory again.
+    /// @param into  is overwritten; its content does not matter
     virtual void step_into(const Motion& motion, ContactStep& into) { into = step(motion); }
 
-    /// The nodes that would penetrate at time 0 with the nodes at `position` (indexed like ContactModel::nodes)
-    /// [length] and the tools in their initial pose. Neither reads nor changes the history. In the order of the
-    /// secondary nodes.
+    /// The nodes that would penetrate at time 0 with the tools in their initial pose, in the order of the secondary
+    /// nodes. The history is neither read nor changed; the gaps are those of the last cycle, with Igap 2 too. The
+    /// decisions are counted in decision_stage_counts().
+    /// @param position  of each of ContactModel::nodes [length]; the size is not checked.  Formulation 6, step 1.
     /// @manual field Inacti; comment 8; departure D31
     virtual std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const = 0;
 
-    /// Memory of each effect that is present.
+    /// Memory of each effect that is present, in the order of the enum.  Formulation 9, step 17.
     virtual std::vector<EffectMemory> memory_by_effect() const = 0;
 
-    /// Which arithmetic settled how many decisions since the start.
+    /// Which arithmetic settled how many decisions since the object was made.  Formulation 10, step 6.
     virtual DecisionStageCounts decision_stage_counts() const = 0;
 };
 

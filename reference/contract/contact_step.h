@@ -1,4 +1,4 @@
-/// @file The ContactStep: what a contact says of one cycle.
+/// @file The ContactStep: the result of one cycle of a contact.
 #pragma once
 
 #include <array>
@@ -10,6 +10,8 @@
 
 namespace type21 {
 
+/// open: the stiffness of the node does not act. slip: its friction force is at the limit, or it has none.
+/// Formulation 8, step 10.
 enum class Status { open, stick, slip };
 
 /// All of one node in one cycle, in global axes; zero where there is no impact.
@@ -21,7 +23,7 @@ struct NodeContact {
     double geometric_penetration = 0;       ///< p_g = max(0, g - delta) [length]
     double offset = 0;                      ///< P0 [length]
     double penetration = 0;                 ///< p = max(0, p_g - P0) [length]
-    double stiffness = 0;                   ///< k; 0 where section 6 says so [force/length]
+    double stiffness = 0;                   ///< k; 0 where it does not act (Formulation 6, step 4) [force/length]
     double damping = 0;                     ///< C [force time/length]
     double elastic_force = 0;               ///< F, >= 0 [force]
     double elastic_energy = 0;              ///< integral of F dp [energy]
@@ -40,20 +42,21 @@ struct NodeContact {
 
 /// Heat that a tool node receives in one cycle.
 struct ToolHeat {
-    int node = -1;    ///< index into Model::nodes
+    int node = -1;    ///< index into ContactModel::nodes
     double heat = 0;  ///< [energy]
 };
 
-/// What adaptive meshing is told of an element of the blank (page comment 3).
+/// What adaptive meshing is told of an element of the blank.  Formulation 9, step 15.
 struct AdaptiveElement {
     double radius = 0;        ///< smallest tool radius at its nodes in contact [length]
     double cosine = 1;        ///< of the sharpest angle between tool normals there [-]
     double penetration = 0;   ///< largest p / g there [-]
     double longest_edge = 0;  ///< of the element now [length]
-    bool divide = false;
+    bool divide = false;      ///< the element is to be divided
 };
 
 /// Sums over the nodes of one cycle; forces on the tool. Each is the exact sum rounded once, so no order matters.
+/// Formulation 10, step 9; Formulation 11, step 8.
 struct ContactSums {
     Vec3 normal = Vec3::Zero();      ///< of -F_n nu [force]
     Vec3 tangential = Vec3::Zero();  ///< of F_t [force]
@@ -69,7 +72,7 @@ struct ContactSums {
     double heat_to_tool = 0;         ///< of all heat to tool nodes in this cycle [energy]
 };
 
-/// What the contact gives to its tool.
+/// What the contact gives to its tool, global axes.  Formulation 9, step 16; Formulation 11, step 5.
 struct ToolLoad {
     Vec3 force = Vec3::Zero();           ///< of the contact: sum of -F_n nu + F_t [force]
     Vec3 moment = Vec3::Zero();          ///< of the contact about x_G: sum of (X - x_G) x (-F_n nu + F_t) [moment]
@@ -81,25 +84,26 @@ struct ToolLoad {
     double step_rotation = 0;            ///< sum of (k + C/dt1) |X - x_G|^2 [moment]
 };
 
-/// Invn: the first impact came from behind.
+/// Invn: the first impact came from behind.  Formulation 7, step 9.
 struct InvertedNormal {
-    int node = -1;           ///< index into Model::nodes
+    int node = -1;           ///< index into ContactModel::nodes
     int segment = -1;        ///< rank in the main surface
     double penetration = 0;  ///< p_g [length]
 };
 
+/// One cycle of one interface. Vectors are empty where their effect is absent.
 struct ContactStep {
     bool active = false;             ///< Tstart, Tstop, sensor
     std::vector<NodeContact> nodes;  ///< like SecondarySide::node; empty while inactive
     ContactSums sums;
     ToolLoad tool;
-    std::vector<int> released;  ///< nodes (Model index) whose IBC translations are free from now on
-    std::vector<InvertedNormal> inverted;
-    std::vector<ToolHeat>
-        tool_heat;  ///< by segment node, a node may come more than once; empty unless the tool is heated
+    std::vector<int> released;  ///< nodes (index into ContactModel::nodes) whose IBC translations are free from now on
+    std::vector<InvertedNormal> inverted;  ///< with Invn, those of this cycle
+    /// By segment node, a node may come more than once; empty unless the tool is heated.  Formulation 9, step 11.
+    std::vector<ToolHeat> tool_heat;
     std::vector<AdaptiveElement> adaptive;  ///< like the segments of the secondary surface; empty without Iadm
     double smallest_gap_raw = 0;            ///< of g_s over the nodes, before Gapmin and Gapmax act [length]
-    double largest_gap_raw = 0;             ///< [length]
+    double largest_gap_raw = 0;             ///< the largest of g_s, likewise [length]
 };
 
 }  // namespace type21

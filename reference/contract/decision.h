@@ -1,19 +1,21 @@
-/// @file The Decision: which piece of the tool a node touches, and how.
+/// @file The Decision: which sub-triangle of the tool a node touches, and how.
 #pragma once
 
 namespace type21 {
 
-/// What the retained piece is to the node (formulation section 3, step 5).
+/// What the retained sub-triangle is to the node.  Formulation 3, step 5.
 enum class Kind { none, contact, proximity };
 
-/// The arithmetic that settled a decision (section 10): each is asked only where the one before it cannot tell.
+/// The arithmetic that settled a decision: each is asked only where the one before it cannot tell.
+/// Formulation 10, step 6.
 enum class Stage {
     bounded,   ///< double with a bound on its error
     interval,  ///< interval of doubles, rounded outwards
     exact      ///< rational numbers
 };
 
-/// The single retained impact of a node (section 4). It is a pure function of the state of the cycle.
+/// The single retained impact of a node. It depends on the state of the cycle only, not on earlier cycles.
+/// Formulation 4, step 5.
 struct Decision {
     Kind kind = Kind::none;
     int segment = -1;  ///< rank in the main surface, from 0

@@ -1,5 +1,5 @@
 /// @file Departures: where the public OpenRadioss does something else than the manual page says.
-/// Each is a switch, off by default. Formulation 12 lists them.
+/// Each is a switch, off by default (Formulation 12, step 2).
 #pragma once
 
 #include <bitset>
@@ -26,6 +26,7 @@ struct DepartureRow {
     std::string_view reason;      ///< why not, where it is not available
 };
 
+/// All rows, in the order of their numbers.  Formulation 12, step 2.
 const std::vector<DepartureRow>& departures();
 
 /// "D03"

@@ -7,7 +7,7 @@ namespace type21 {
 
 inline constexpr double no_limit = 1e30;  ///< a limit of this size or more is none; the "1030" of the manual page
 
-/// What an interface computes. Each but `elastic` is there only when its card asks for it.
+/// What an interface computes. Each but `elastic` is there only when its card asks for it.  Formulation 9, step 17.
 enum class Effect {
     elastic,               ///< penalty force (always)
     damping,               ///< VISs

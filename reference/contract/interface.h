@@ -11,9 +11,9 @@
 namespace type21 {
 
 /// The nodes of the secondary surface and what the interface needs to know of each; one entry a node, ascending by node
-/// id. Filled at time 0 (formulation section 2, 7).
+/// id. Filled at time 0.  Formulation 2, step 1; Formulation 7, step 1.
 struct SecondarySide {
-    std::vector<int> node;                  ///< index into Model::nodes
+    std::vector<int> node;                  ///< index into ContactModel::nodes
     std::vector<double> thickness;          ///< t0: largest thickness of the shells at the node [length]
     std::vector<double> contact_thickness;  ///< t_c: contact thickness of the node's part, 0 = none [length]
     std::vector<double> gap;                ///< g0: gap at time 0, between Gapmin and Gapmax [length]
@@ -25,20 +25,20 @@ struct SecondarySide {
     int size() const { return static_cast<int>(node.size()); }
 };
 
-/// Names follow the page; integers are flags, reals are in the deck's work units.
+/// Names follow the manual page; integers are flags, reals are in the deck's work units.
 struct Interface {
     Id id = 0;
     std::string title;
     std::string file;
     int line = 0;  ///< of the keyword
 
-    int secondary_surface = -1;  ///< index into Model::surfaces
+    int secondary_surface = -1;  ///< index into ContactModel::surfaces
     int main_surface = -1;
-    int tool = -1;                 ///< IDrby: index into Model::rigid_bodies
-    int reference_interface = -1;  ///< IDref: index into Model::interfaces, -1: none
-    int sensor = -1;               ///< sens_ID: index into Model::sensors, -1: none
-    int friction_model = -1;       ///< fric_ID: index into Model::friction_models, -1: none
-    int function_friction = -1;    ///< fct_IDF: index into Model::functions
+    int tool = -1;                 ///< IDrby: index into ContactModel::rigid_bodies
+    int reference_interface = -1;  ///< IDref: index into ContactModel::interfaces, -1: none
+    int sensor = -1;               ///< sens_ID: index into ContactModel::sensors, -1: none
+    int friction_model = -1;       ///< fric_ID: index into ContactModel::friction_models, -1: none
+    int function_friction = -1;    ///< fct_IDF: index into ContactModel::functions
     int function_conduction = -1;  ///< fct_IDK
     int function_distance = -1;    ///< Fcond
 
@@ -83,7 +83,7 @@ struct Interface {
     Sourced<double> damp, dampr;
 
     SecondarySide secondary;
-    std::vector<int> main_nodes;  ///< index into Model::nodes, ascending
+    std::vector<int> main_nodes;  ///< index into ContactModel::nodes, ascending
     double largest_gap = 0;       ///< G: largest g0 of the secondary nodes [length]
     double smallest_gap_raw = 0;  ///< smallest g_s before Gapmin and Gapmax act, for the kinematic step [length]
     double shortest_edge = 0;     ///< of the secondary surface [length]

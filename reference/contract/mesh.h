@@ -1,4 +1,4 @@
-/// @file Nodes, shells, parts, surfaces and groups of the Model.
+/// @file Nodes, shells, parts, surfaces and groups of the model.
 #pragma once
 
 #include <array>
@@ -60,7 +60,7 @@ struct Part {
     Id id = 0;
     std::string title;
     int property = -1;             ///< index into Model::properties
-    int material = -1;             ///< index into Model::materials
+    int material = -1;             ///< index into ContactModel::materials
     double contact_thickness = 0;  ///< Thick of /PART [length], 0: none
 };
 
@@ -68,7 +68,7 @@ struct Part {
 struct Shell {
     Id id = 0;
     std::array<int, 4> node{};
-    int part = -1;         ///< index into Model::parts
+    int part = -1;         ///< index into ContactModel::parts
     double thickness = 0;  ///< at time 0 [length]
 
     bool is_triangle() const { return node[2] == node[3]; }
@@ -78,7 +78,7 @@ struct Shell {
 /// A piece of a surface. A triangle repeats its third node. The order gives the outward side.
 struct Segment {
     std::array<int, 4> node{};
-    int shell = -1;  ///< index into Model::shells of the element it lies on, -1 if none
+    int shell = -1;  ///< index into ContactModel::shells of the element it lies on, -1 if none
 
     bool is_triangle() const { return node[2] == node[3]; }
     int corners() const { return is_triangle() ? 3 : 4; }

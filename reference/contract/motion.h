@@ -8,7 +8,7 @@
 
 namespace type21 {
 
-/// Pose of a tool at t_n and its velocities at n - 1/2.
+/// Pose of a tool at t_n and its velocities at n - 1/2, global axes.  Formulation 1, step 1.
 /// @manual departure D24
 struct ToolMotion {
     Vec3 position = Vec3::Zero();          ///< x_G [length]
@@ -17,7 +17,7 @@ struct ToolMotion {
     Vec3 angular_velocity = Vec3::Zero();  ///< Omega [1/time]
 };
 
-/// State at cycle n (formulation section 11). The spans are indexed like Model::nodes and must outlive the step.
+/// State at cycle n.  Formulation 11, step 1. The spans are indexed like ContactModel::nodes and must outlive the step.
 /// @manual departure D25
 struct Motion {
     double time = 0;                 ///< t_n, the accumulated sum of steps [time]
@@ -25,11 +25,12 @@ struct Motion {
     double friction_step = 0;        ///< step of the friction increment: dt1, or another with D25 [time]
     std::span<const Vec3> position;  ///< x_n [length]
     std::span<const Vec3> velocity;  ///< v_{n-1/2} [velocity]
-    /// Thickness of each of Model::shells at the end of the cycle before [length]; empty while no thickness changes.
+    /// Thickness of each of ContactModel::shells at the end of the cycle before [length]; empty while no thickness
+    /// changes.
     std::span<const double> thickness;
     /// Temperature of each node at the end of the cycle before [temperature]; empty in a scene without heat.
     std::span<const double> temperature;
-    std::vector<ToolMotion> tools;  ///< one for each rigid body of the Model
+    std::vector<ToolMotion> tools;  ///< one for each rigid body of the model
 };
 
 }  // namespace type21

@@ -45,12 +45,14 @@ struct Scene {
 std::vector<Effect> effects_of(const ContactModel& model, const Interface& interface);
 
 /// The scene of a resolved model: every interface with its effects_of().
+/// @param model  must not be null
 Scene scene_of(std::shared_ptr<const ContactModel> model);
 
-/// fct_IDF scales Fric: only in law 0 of the card (manual page, comment 12).
+/// fct_IDF scales Fric: only in law 0 of the card.  Formulation 8, step 3; manual page, comment 12.
 bool uses_friction_function(const Interface& interface);
 
 /// The friction coefficient of some node can be above 0.
+/// @throws std::out_of_range when fric_ID of the interface is an index of no friction model
 bool has_friction(const ContactModel& model, const Interface& interface);
 
 /// The tangential force is filtered: Ifiltr with Xfreq, of the card or of /FRICTION (D28: either).

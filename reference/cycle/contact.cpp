@@ -10,7 +10,7 @@ namespace type21::reference {
 
 namespace {
 
-/// Columns of the time history, before they are weighed with time (formulation section 11).
+/// Columns of the time history, before they are weighed with time.  Formulation 11, step 8.
 ContactSums sums_of(const std::vector<NodeContact>& nodes, double step) {
     ExactVectorSum normal, tangential, abs_normal, abs_total;
     ExactSum signed_normal, norm_total, friction_work, damping_work;
@@ -63,7 +63,8 @@ void add_heat(const ContactStep& step, ContactSums& sums) {
 /// Resultants of the contact about x_G, and what tool damping and time step need of it.
 struct Resultants {
     Vec3 force, moment;
-    double stiffness, rotation, step_stiffness, step_rotation;
+    ToolStiffness contact;  ///< of k
+    ToolStiffness step;     ///< of k + C/dt1
 };
 
 Resultants resultants_of(const std::vector<NodeContact>& nodes, const Vec3& center) {
@@ -79,8 +80,28 @@ Resultants resultants_of(const std::vector<NodeContact>& nodes, const Vec3& cent
         step_stiffness.add(node.step_stiffness);
         step_rotation.add(node.step_stiffness * arm.squaredNorm());
     }
-    return {force.value(),    moment.value(),         stiffness.value(),
-            rotation.value(), step_stiffness.value(), step_rotation.value()};
+    return {force.value(),
+            moment.value(),
+            {stiffness.value(), rotation.value()},
+            {step_stiffness.value(), step_rotation.value()}};
+}
+
+/// Damping of the tool's own motion, relative to the tool of IDref if there is one.  Formulation 9, step 16.
+/// @param stiffness  on which the tool is damped
+void damp_tool(const ContactModel& model, const Interface& card, const Motion& motion, const ToolStiffness& stiffness,
+               ToolLoad& load) {
+    const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
+    const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(card.tool)];
+    ToolMotion reference;
+    if (card.reference_interface >= 0) {
+        const Interface& other = model.interfaces[static_cast<size_t>(card.reference_interface)];
+        reference = motion.tools[static_cast<size_t>(other.tool)];
+    }
+    load.damping = tool_damping_coefficient(card.damp, tool.mass, stiffness.translation);
+    load.damping_force = tool_damping(load.damping, pose.velocity, reference.velocity);
+    if (!card.tool_rotates || card.dampr == 0) return;
+    load.rotational_damping = tool_damping_coefficient(card.dampr, smallest_inertia(tool.inertia), stiffness.rotation);
+    load.damping_moment = tool_damping(load.rotational_damping, pose.angular_velocity, reference.angular_velocity);
 }
 
 }  // namespace
@@ -91,60 +112,50 @@ Contact::~Contact() = default;
 
 ContactStep Contact::step(const Motion& motion) {
     State& state = *state_;
-    const Interface& card = state.card();
     ContactStep step;
-    // Inacti looks at time 0, whenever the interface becomes active.
+    // Formulation 6, step 1: Inacti acts at time 0, whenever the interface becomes active.
     if (!state.started) state.start(motion);
-    step.active = active(*state.model, card, motion.time);
+    // Formulation 9, step 2: activity in time.
+    step.active = active(*state.model, state.card(), motion.time);
     if (!step.active) return step;
+    // Formulation 2, step 5: gaps that follow the thickness.
     state.update_gaps(motion, step);
 
+    // Chapters 1 to 9: each node on its own.
     step.nodes.reserve(state.nodes.size());
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i)
         step.nodes.push_back(state.node_step(i, motion, step));
+
+    // Formulation 11, step 8: sums for the columns of the interface.
     step.sums = sums_of(step.nodes, motion.step);
     step.sums.elastic_energy = energy_of(step.nodes);
     if (state.heat_exchange) add_heat(step, step.sums);
+    // Formulation 9, step 15: data for adaptive meshing.
     if (state.adaptive) step.adaptive = state.adaptive->elements(step.nodes, motion.position);
 
-    const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
-    const Resultants resultants = resultants_of(step.nodes, pose.position);
+    // Formulation 11, step 5: what the tool gets of the contact. Formulation 9, step 16: tool damping.
+    const Resultants resultants = resultants_of(step.nodes, state.pose(motion).position);
     step.tool.force = resultants.force;
     step.tool.moment = resultants.moment;
-    step.tool.step_stiffness = resultants.step_stiffness;
-    step.tool.step_rotation = resultants.step_rotation;
+    step.tool.step_stiffness = resultants.step.translation;
+    step.tool.step_rotation = resultants.step.rotation;
     if (state.has(Effect::tool_damping)) {
-        const bool d13 = state.as_built(Departure::D13);  // the sums hold C/dt1 as well
-        ToolMotion reference;
-        if (card.reference_interface >= 0) {
-            const Interface& other = state.model->interfaces[static_cast<size_t>(card.reference_interface)];
-            reference = motion.tools[static_cast<size_t>(other.tool)];
-        }
-        const RigidBody& tool = state.tool();
-        step.tool.damping =
-            tool_damping_coefficient(card.damp, tool.mass, d13 ? resultants.step_stiffness : resultants.stiffness);
-        step.tool.damping_force = tool_damping(step.tool.damping, pose.velocity, reference.velocity);
-        if (card.tool_rotates && card.dampr != 0) {
-            const double inertia = smallest_inertia(tool.inertia);
-            const double damping =
-                tool_damping_coefficient(card.dampr, inertia, d13 ? resultants.step_rotation : resultants.rotation);
-            step.tool.rotational_damping = damping;
-            step.tool.damping_moment = tool_damping(damping, pose.angular_velocity, reference.angular_velocity);
-        }
+        const ToolStiffness stiffness = state.reading.tool_damping_stiffness(resultants.contact, resultants.step);
+        damp_tool(*state.model, state.card(), motion, stiffness, step.tool);
     }
     return step;
 }
 
 std::vector<EffectMemory> Contact::memory_by_effect() const {
     const State& state = *state_;
-    std::vector<EffectMemory> rooms{{Effect::elastic, sizeof(NodeConstants) + sizeof(PenetrationHistory)}};
-    if (state.gap_growth) rooms.push_back({Effect::gap_growth, GapGrowth::bytes_per_node()});
-    if (state.friction) rooms.push_back({Effect::friction, Friction::bytes_per_node()});
-    if (state.skid_line) rooms.push_back({Effect::skid_line, SkidLine::bytes_per_node()});
-    if (state.heat_exchange) rooms.push_back({Effect::heat, HeatExchange::bytes_per_node()});
-    if (state.release) rooms.push_back({Effect::release_bcs, Release::bytes_per_node()});
-    if (state.deletion) rooms.push_back({Effect::deletion, Deletion::bytes_per_node()});
-    return rooms;
+    std::vector<EffectMemory> memory{{Effect::elastic, sizeof(NodeConstants) + sizeof(PenetrationHistory)}};
+    if (state.gap_growth) memory.push_back({Effect::gap_growth, GapGrowth::bytes_per_node()});
+    if (state.friction) memory.push_back({Effect::friction, Friction::bytes_per_node()});
+    if (state.skid_line) memory.push_back({Effect::skid_line, SkidLine::bytes_per_node()});
+    if (state.heat_exchange) memory.push_back({Effect::heat, HeatExchange::bytes_per_node()});
+    if (state.release) memory.push_back({Effect::release_bcs, Release::bytes_per_node()});
+    if (state.deletion) memory.push_back({Effect::deletion, Deletion::bytes_per_node()});
+    return memory;
 }
 
 DecisionStageCounts Contact::decision_stage_counts() const {
@@ -157,16 +168,15 @@ std::vector<InitialPenetration> Contact::initial_penetrations() const {
 
 std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<Vec3>& positions) const {
     const State& state = *state_;
-    ToolMotion pose;
-    pose.position = state.tool().center;
+    ToolMotion initial_pose;
+    initial_pose.position = state.tool().center;
     std::vector<InitialPenetration> found;
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
-        const int node = state.card().secondary.node[static_cast<size_t>(i)];
-        const Vec3& position = positions[static_cast<size_t>(node)];
-        const LocatedImpact touch = state.first_touch(i, position - pose.position, position, pose);
-        if (touch.penetration <= 0) continue;
-        found.push_back(
-            {node, touch.decision.segment, touch.penetration, touch.geometry.distance, touch.geometry.normal});
+        const size_t node = state.model_node(i);
+        const LocatedImpact impact = state.locate(i, positions[node], initial_pose, state.reading.first_impact);
+        if (impact.penetration <= 0) continue;
+        found.push_back({static_cast<int>(node), impact.decision.segment, impact.penetration, impact.geometry.distance,
+                         impact.geometry.normal});
     }
     return found;
 }

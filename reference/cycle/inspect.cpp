@@ -1,29 +1,22 @@
 #include "reference/cycle/inspect.h"
 
-#include <algorithm>
-
 #include "reference/contact/friction_law.h"
-#include "reference/contact/reach_box.h"
 #include "reference/cycle/contact_state.h"
 
 namespace type21::reference {
 
 Inspect::Inspect(const Contact& contact) : state_(*contact.state_) {}
 
+const ContactReading& Inspect::reading() const {
+    return state_.reading;
+}
+
 Vec3 Inspect::tool_frame(int i, const Motion& motion) const {
-    const ToolMotion& pose = motion.tools[static_cast<size_t>(state_.card().tool)];
-    const int node = state_.card().secondary.node[static_cast<size_t>(i)];
-    return pose.rotation.transpose() * (motion.position[static_cast<size_t>(node)] - pose.position);
+    return in_tool_frame(motion.position[state_.model_node(i)], state_.pose(motion));
 }
 
 std::vector<int> Inspect::candidates(int i, const Vec3& y) const {
-    std::vector<int> near = state_.candidates.at(y);
-    if (!state_.as_built(Departure::D34)) return near;
-    const double gap = std::max(state_.nodes[static_cast<size_t>(i)].search_gap, state_.proximity);
-    std::erase_if(near, [&](int s) {
-        return !in_reach_box(y, state_.surface.shape(s), state_.box_axes, gap, state_.card().depth);
-    });
-    return near;
+    return state_.competitors(y, state_.reach_of(i), state_.reading.impact);
 }
 
 SegmentShape<double> Inspect::shape(int segment) const {
@@ -35,17 +28,15 @@ const std::array<int, 4>& Inspect::segment_nodes(int segment) const {
 }
 
 ContactReach<double> Inspect::reach(int i) const {
-    return {state_.nodes[static_cast<size_t>(i)].search_gap, state_.card().depth, state_.proximity};
+    return state_.reach_of(i);
 }
 
 ProjectionLimits<double> Inspect::limits() const {
-    ProjectionLimits<double> limits;
-    limits.lift_leaning = state_.as_built(Departure::D35);
-    return limits;
+    return state_.reading.impact.limits;
 }
 
 bool Inspect::proximity_competes() const {
-    return state_.as_built(Departure::D11);
+    return state_.reading.impact.proximity_competes;
 }
 
 double Inspect::stiffness(int i) const {
@@ -74,7 +65,7 @@ bool Inspect::deleted(int i, const Motion& motion) const {
 
 std::optional<double> Inspect::raw_gap(int i, const Motion& motion) const {
     if (!state_.gap_growth) return std::nullopt;
-    return state_.gap_growth->gap(i, motion.thickness).raw;
+    return state_.reading.grown_gap(state_.card(), state_.gap_growth->sheet(i, motion.thickness)).raw;
 }
 
 const PenetrationHistory& Inspect::history(int i) const {
@@ -90,23 +81,7 @@ PmaxLimit Inspect::pmax_limit(int i) const {
 }
 
 FrictionInput Inspect::friction_input(int i, const Motion& motion, const NodeContact& node, bool acts) const {
-    const Interface& card = state_.card();
-    FrictionInput input;
-    input.normal_force = node.normal_force;
-    input.stiffness = acts ? friction_stiffness(i) : 0.0;
-    input.step = motion.friction_step;
-    input.part_main = state_.part_of_segment(node.decision.segment);
-    input.velocity = node.relative_velocity;
-    input.normal = node.normal;
-    if (has(Effect::pmax_limit) && card.itlim == 0) input.cap = tangential_limit(pmax_limit(i).pressure_force);
-    if (has(Effect::friction_heat_factor)) {
-        const bool d08 = state_.as_built(Departure::D08);
-        const double blank = motion.temperature[static_cast<size_t>(card.secondary.node[static_cast<size_t>(i)])];
-        const double mean = 0.5 * (blank + (d08 ? double(card.tint) : tool_temperature(node.decision, motion)));
-        input.temperature_factor =
-            state_.model->functions[static_cast<size_t>(card.function_friction)](d08 ? mean : card.ascalef * mean);
-    }
-    return input;
+    return state_.friction_input(i, motion, node, acts);
 }
 
 FrictionCoefficients Inspect::friction_numbers(int i, const FrictionInput& input) const {

@@ -26,8 +26,8 @@ std::vector<NodeConditions> node_conditions(const Model& model);
 /// Rigid body of each node, -1 where there is none; the main nodes belong to their body.
 std::vector<int> bodies_of_nodes(const Model& model);
 
-/// What the host cannot march: a free node of a deformable element (its element forces are not computed in this
-/// version), a free node or tool without mass, no end time. All problems at once.
+/// Checks a scene before it is run. Errors are a free node of a deformable element (its element forces are not computed
+/// in this version), a free node or tool without mass, no end time. All problems at once.
 void check_runnable(const HostScene& scene, Problems& problems);
 
 }  // namespace type21

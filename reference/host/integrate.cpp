@@ -49,8 +49,8 @@ Vec3 angular_acceleration(const RigidBody& tool, const BodyState& state, const V
     return inertia.ldlt().solve(moment - gyroscopic);
 }
 
-/// The force that a reaction holds against, where the page is silent as measured (case tool_drop): the contact, and the
-/// load in the first cycle only, so that from the second cycle on REAC of a loaded node contains its load.
+/// The force that a reaction holds against, where the manual page is silent as measured (case tool_drop): the contact,
+/// and the load in the first cycle only, so that from the second cycle on REAC of a loaded node contains its load.
 Vec3 held_against(const Vec3& contact, const Vec3& load, const HostState& state) {
     return state.cycle == 0 ? Vec3(contact + load) : contact;
 }

@@ -1,5 +1,5 @@
 /// @file One step of nodes and tools: v_{n+1/2} = v_{n-1/2} + a (dt1 + dt2)/2, x_{n+1} = x_n + v_{n+1/2} dt2
-/// (formulation section 11).
+/// (Formulation 11, step 4; Formulation 11, step 5).
 #pragma once
 
 #include <vector>
@@ -19,21 +19,24 @@ struct CycleForces {
     std::vector<Vec3> load_moment;  ///< per body [moment]
 };
 
+/// All zero, with the sizes of the model.
 CycleForces no_forces(const Model& model);
 
-/// Adds the /CLOAD of time t_n.
+/// Adds the /CLOAD of time t_n, those whose sensor is on.
 void add_loads(const Model& model, const HostState& state, CycleForces& forces);
 
 /// Moves everything from t_n to t_{n+1} and sums the reactions of cycle n.
-/// @param step  dt2 [time]
+/// @param step  dt2, > 0 [time].  Formulation 11, step 4; Formulation 11, step 5; Formulation 11, step 9.
 void advance(const Model& model, const CycleForces& forces, double step, HostState& state);
 
 /// Value of a function at the time that counts for it: the run's, or since its sensor switched on. Nothing while it is
 /// off.
 struct ImposedValue {
     bool acts = false;
-    double value = 0;
+    double value = 0;  ///< [velocity] or [length], or their angular counterparts
 };
+/// @param now  t_n, at which the sensor is asked [time]
+/// @param at   time of the value itself [time]
 ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, double now, double at);
 
 }  // namespace type21

@@ -12,8 +12,8 @@ namespace type21 {
 
 namespace {
 
-/// Inacti 3: the node is moved out along nu until delta = g. The projection changes a little as the node moves, so
-/// again.
+/// Inacti 3: the node is moved out along nu until delta = g. The projection changes a little as the node moves, so this
+/// is repeated.  Formulation 6, step 1.
 void move_out_initial_penetrations(const HostScene& scene, const std::vector<std::unique_ptr<ContactMethod>>& contacts,
                                    HostState& state) {
     constexpr int rounds = 20;
@@ -52,7 +52,7 @@ CycleForces forces_of(const Model& model, const HostState& state, const std::vec
     return forces;
 }
 
-/// @param weight  (dt1 + dt2)/2, with D25 that of the cycle before [time]
+/// @param weight  of the impulses [time].  Formulation 11, step 7; Formulation 11, step 8.
 void add_totals(const ContactSums& sums, double weight, InterfaceTotals& totals) {
     totals.normal += sums.normal * weight;
     totals.tangential += sums.tangential * weight;
@@ -68,7 +68,7 @@ void add_totals(const ContactSums& sums, double weight, InterfaceTotals& totals)
     totals.elastic_energy = sums.elastic_energy;
 }
 
-/// T += heat / (nodal heat capacity); a node without capacity keeps its temperature.
+/// T += heat / (nodal heat capacity); a node without capacity keeps its temperature.  Formulation 9, step 12.
 void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, const std::vector<double>& inside,
                 HostState& state) {
     if (state.temperature.empty() || model.nodal_heat_capacity.empty()) return;
@@ -157,7 +157,7 @@ void check_normals(const Model& model, const HostState& state, const std::vector
             RunStopped::Why::inverted_normal,
             fmt::format("Invn of interface {}: the first impact of node {} came from behind, {}: penetration {:.9g} {} "
                         "on segment {} "
-                        "(nodes {}); {} node{} in this cycle; check that the main normals look at the blank",
+                        "(nodes {}); {} node{} in this cycle; check that the main normals face the blank",
                         interface.id, model.nodes.id[static_cast<size_t>(first.node)], when(state, model.units),
                         first.penetration, model.units.name(dim::length), first.segment + 1, nodes,
                         steps[i].inverted.size(), steps[i].inverted.size() == 1 ? "" : "s"));
@@ -169,6 +169,7 @@ void check_normals(const Model& model, const HostState& state, const std::vector
 void march(const HostScene& scene, const MakeContact& make_contact, const Observer& observe,
            const MarchOptions& options) {
     const Model& model = *scene.host;
+    const HostReading reading = host_reading(model.as_built);
     std::vector<std::unique_ptr<ContactMethod>> contacts;
     contacts.reserve(model.interfaces.size());
     for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)
@@ -183,22 +184,22 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
             state.thickness.push_back(shell.thickness);
     }
 
-    // Two states and the steps take turns: no cycle asks for memory of their size.
+    // Two states take turns and the steps are used again, so that no cycle allocates memory of their size.
     HostState next = state;
     std::vector<ContactStep> steps(contacts.size());
     while (state.time <= model.engine.end_time) {
+        // Formulation 11, step 2: contact, time step, sums, motion, heat, output.
         state.impose_temperatures(model);
-        const Motion motion = state.motion(model);
+        const Motion motion = state.motion(reading);
         for (size_t i = 0; i < contacts.size(); ++i)
             contacts[i]->step_into(motion, steps[i]);
         check_finite(model, state, steps);
         const double step = time_step.next(state, steps);
         check_step(model, state, step);
 
-        const double weight = 0.5 * (state.step + step);
-        const double impulse_weight = model.as_built.has(Departure::D25) ? state.weight_before : weight;
+        const double weight = reading.impulse_weight({state.step, 0.5 * (state.step + step), state.weight_before});
         for (size_t i = 0; i < totals.size(); ++i)
-            add_totals(steps[i].sums, impulse_weight, totals[i]);
+            add_totals(steps[i].sums, weight, totals[i]);
 
         // The record of cycle n holds x_n and v_{n-1/2}, but reactions including cycle n: they are known once it has
         // moved on.

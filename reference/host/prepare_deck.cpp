@@ -1,4 +1,4 @@
-/// @file Reads, resolves and plans a deck; judges whether it can be run.
+/// @file Reads, resolves and plans a deck; checks whether it can be run.
 #include "reference/host/prepare_deck.h"
 
 #include <memory>

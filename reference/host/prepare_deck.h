@@ -1,4 +1,4 @@
-/// @file The front door: from the path of a deck to a scene that runs, or to everything that is wrong with it.
+/// @file From the path of a deck to a scene that runs, or to everything that is wrong with it.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,12 @@ struct PreparedDeck {
     MarchOptions options() const { return {thickness ? &*thickness : nullptr}; }
 };
 
+/// Reads, resolves and checks a deck; throws nothing of its own.
+/// @param path          of the starter deck; the engine deck is looked for beside it
+/// @param as_built      departures to switch on, as --as-built takes them: "", "all", "D03,D24"
 /// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error
 /// @param thickness     CSV of the shells' thickness over time, empty: none
+/// @return the scene, or errors in problems
 PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,
                           const std::string& thickness = {});
 

@@ -18,7 +18,9 @@ inline Rotation exponential(const Vec3& w) {
     return {std::cos(half), ratio * w.x(), ratio * w.y(), ratio * w.z()};
 }
 
-/// R_{n+1} = exp(dt [omega]) R_n, renormalised: the length of the quaternion is the only thing rounding could spoil.
+/// R_{n+1} = exp(dt [omega]) R_n, renormalised, since rounding changes the length of the quaternion.
+/// @param angular_velocity  omega [1/time]
+/// @param step              dt [time].  Formulation 11, step 5.
 inline Rotation turned(const Rotation& rotation, const Vec3& angular_velocity, double step) {
     return (exponential(angular_velocity * step) * rotation).normalized();
 }

@@ -12,8 +12,8 @@ namespace type21 {
 ///   temperature
 /// with B_1 = -n x (x_2 - x_4) / (2A), B_2 = -n x (x_3 - x_1) / (2A), B_3 = -B_1, B_4 = -B_2 of a quad and
 /// B_1 = -n x (x_2 - x_3) / (2A), cyclic, of a triangle. What one node loses another gains.
-/// The page leaves the inside of the blank to the elements; the formula is the measured one (cases therm_cond_2x2,
-/// therm_form1).
+/// The manual page leaves the inside of the blank to the elements; the formula is the measured one (cases
+/// therm_cond_2x2, therm_form1).  Formulation 11, step 6.
 /// @param step  dt1 [time]
 /// @return heat to each node [energy]; empty where no shell is thermal
 std::vector<double> shell_conduction(const Model& model, const HostState& state, double step);

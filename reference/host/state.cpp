@@ -83,19 +83,17 @@ void HostState::carry_body_nodes(const Model& model) {
     }
 }
 
-Motion HostState::motion(const Model& model) const {
+Motion HostState::motion(const HostReading& reading) const {
     Motion m;
     m.time = time;
     m.step = step;
-    // D25: the friction increment weighs with the half sum of steps of the cycle before.
-    m.friction_step = model.as_built.has(Departure::D25) ? weight_before : step;
+    m.friction_step = reading.friction_step({step, 0.0, weight_before});
     m.position = position;
     m.velocity = velocity;
     m.thickness = thickness;
     m.temperature = temperature;
     for (const BodyState& state : bodies) {
-        // D24: the orientation is one step older than the position.
-        const Rotation& rotation = model.as_built.has(Departure::D24) ? state.rotation_before : state.rotation;
+        const Rotation& rotation = reading.tool_rotation(state.rotation, state.rotation_before);
         m.tools.push_back({state.position, rotation.toRotationMatrix(), state.velocity, state.angular_velocity});
     }
     return m;

@@ -1,4 +1,4 @@
-/// @file The step that follows a cycle (formulation section 11).
+/// @file The step that follows a cycle (Formulation 11, step 3).
 #pragma once
 
 #include <vector>
@@ -23,6 +23,8 @@ class TimeStep {
     /// dt2 after the contact of cycle n: the constant step of /DTIX when its two values are equal; else the first value
     /// in the first cycle, and then the least of the nodal, the kinematic and the thermal limit, the second value of
     /// /DTIX and the /TFILE interval.
+    /// @param contacts  of cycle n, one for each interface
+    /// @return dt2 [time]; infinite where nothing limits it, which the caller must refuse.  Formulation 11, step 3.
     double next(const HostState& state, const std::vector<ContactStep>& contacts);
 
     /// Limits of the last call of next().

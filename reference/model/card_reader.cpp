@@ -143,7 +143,7 @@ void CardReader::misread(size_t line, std::string_view field, std::string_view w
                          std::string remedy) {
     const auto where = static_cast<int>(line);
     error(where, field, std::string(word), std::move(rule), std::move(remedy));
-    constexpr size_t kept = 64;  // more fields than one judgement looks back at
+    constexpr size_t kept = 64;  // more fields than one check looks back at
     if (misread_.size() == kept) misread_.erase(misread_.begin(), misread_.begin() + kept / 2);
     misread_.emplace_back(where, field);
 }

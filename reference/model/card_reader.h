@@ -1,4 +1,5 @@
-/// @file Reads fixed columns of a card: one place for blanks, overflow, rubbish, units and the messages about them.
+/// @file Reads fixed columns of a card: one place for blanks, overflow, text that is no number, units and their
+/// messages.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// @file The sentences that many fields share: out of its values, negative, without effect, a default, idle.
+/// @file Rules that many fields share: a flag outside its values, negative, without effect, a default, idle.
 #pragma once
 
 #include <initializer_list>
@@ -12,16 +12,19 @@
 
 namespace type21 {
 
+/// Whether value is one of allowed.
 bool among(int value, std::initializer_list<int> allowed);
 
 /// An error for a flag outside its values.
-void one_of(const CardValidator& judge, std::string_view field, int value, std::initializer_list<int> allowed);
+void one_of(const CardValidator& validator, std::string_view field, int value, std::initializer_list<int> allowed);
 
-void not_negative(const CardValidator& judge, std::string_view field, double value);
+/// An error for a negative value.
+void not_negative(const CardValidator& validator, std::string_view field, double value);
 
 /// A warning for a field that was given and has no effect.
-void unused(const CardValidator& judge, std::string_view field, bool given, std::string_view reason);
+void unused(const CardValidator& validator, std::string_view field, bool given, std::string_view reason);
 
+/// The default takes the place of 0, with the reason for the user.
 inline void default_for_zero(Sourced<double>& field, double value, const std::string& why) {
     if (field == 0) take_default(field, value, why);
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/card_reading.h"
 #include "reference/model/interface_fields.h"
 
 namespace type21 {
@@ -15,14 +16,18 @@ const InterfaceField& find_field(std::string_view name) {
     return *std::find_if(fields.begin(), fields.end(), [&](const InterfaceField& field) { return field.name == name; });
 }
 
-std::string shown(const InterfaceField& field, const CardValidator& judge) {
-    const std::string unit = judge.model.units.name(dimension(field, judge.interface));
-    return with_field(judge.interface, field, [&](const auto& value) {
+std::string shown(const InterfaceField& field, const CardValidator& validator) {
+    const std::string unit = validator.model.units.name(dimension(field, validator.interface));
+    return with_field(validator.interface, field, [&](const auto& value) {
         return fmt::format("{}{}{}", value.value, unit.empty() ? "" : " ", unit);
     });
 }
 
 }  // namespace
+
+CardReading CardValidator::reading() const {
+    return card_reading(model.as_built);
+}
 
 void CardValidator::error(std::string_view field, std::string rule, std::string remedy) const {
     error_with(field, shown(find_field(field), *this), std::move(rule), std::move(remedy));

@@ -1,4 +1,4 @@
-/// @file One card under judgement: what its rules may see, change and say.
+/// @file One TYPE21 card while its rules are applied: what they may read, change and report.
 #pragma once
 
 #include <string>
@@ -10,12 +10,19 @@
 
 namespace type21 {
 
+struct CardReading;
+
+/// A card with what its rules may read and change.
 struct CardValidator {
     CardReader& card;
     const Model& model;
     Interface& interface;
 
-    /// Says it at the field's line, with its value and unit as read.
+    /// The rules that hold for this card, as documented or as built.
+    CardReading reading() const;
+
+    /// Reports a problem at the field's line, with its value and unit as read.
+    /// @param field  name as on the manual page; it must be one of interface_fields()
     void error(std::string_view field, std::string rule, std::string remedy) const;
     void warning(std::string_view field, std::string rule, std::string remedy) const;
     /// The same with another value, such as a list of nodes.

@@ -12,7 +12,7 @@ namespace type21 {
 /// One row of the table that `type21 check` prints.
 struct FieldRow {
     int card_line = 0;  ///< 1..12
-    std::string name;   ///< as on the page
+    std::string name;   ///< as on the manual page
     std::string value;
     std::string unit;
     Origin origin;

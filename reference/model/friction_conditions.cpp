@@ -1,8 +1,6 @@
 /// @file Conditions on C1..C6 and Xfreq.
 #include "reference/model/friction_conditions.h"
 
-#include <numbers>
-
 #include <fmt/format.h>
 
 namespace type21 {
@@ -31,17 +29,10 @@ std::vector<ConditionFault> renard_faults(const std::array<double, 6>& c, const 
     return faults;
 }
 
-/// @manual field Xfreq; comment 15; departure D07
-std::optional<ConditionFault> filter_fault(int ifiltr, double xfreq, const AsBuilt& as_built) {
-    constexpr double turn = 2.0 * std::numbers::pi;
+/// @manual field Xfreq; comment 15
+std::optional<ConditionFault> filter_fault(int ifiltr, double xfreq) {
     if (xfreq < 0) return ConditionFault{0, "must not be negative", "Give 0 for no filter, or a positive value"};
     if (xfreq == 0) return std::nullopt;
-    if (ifiltr == 2 && as_built.has(Departure::D07)) {
-        if (xfreq >= turn) return std::nullopt;
-        return ConditionFault{
-            0, fmt::format("D07: must be at least 2 pi = {:.6f} with Ifiltr 2, a period in cycles", turn),
-            "Give the period as a number of steps, or take D07 away"};
-    }
     if ((ifiltr == 1 || ifiltr == 2) && xfreq > 1)
         return ConditionFault{
             0, fmt::format("must be between 0 and 1 with Ifiltr {}", ifiltr),

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "reference/contract/departures.h"
 #include "reference/model/units.h"
 
 namespace type21 {
@@ -22,11 +21,12 @@ struct ConditionFault {
 /// The conditions of the Renard law, one fault for each that is broken:
 ///   0 < C5 < C6,  C1 < C3,  C2 < C3,  C4 < C1,  C4 < C2
 /// @param c      C1..C6: static, dynamic, largest, smallest coefficient [-], first and second critical speed [velocity]
-/// @param units  those of c.  Source: page, comment 13; formulation 8
+/// @param units  those of c, for the messages.  Formulation 8, step 6; manual page, comment 13; as built: D17.
 std::vector<ConditionFault> renard_faults(const std::array<double, 6>& c, const UnitSystem& units);
 
-/// Xfreq is not negative; with Ifiltr 1 and 2 it is between 0 and 1 (D07: with Ifiltr 2 at least 2 pi). 0 means no
-/// filter. Source: page, comment 15; formulation 8, 12 (D07)
-std::optional<ConditionFault> filter_fault(int ifiltr, double xfreq, const AsBuilt& as_built);
+/// Xfreq is not negative; with Ifiltr 1 and 2 it is between 0 and 1. 0 means no filter.
+/// @param xfreq  [-], or [1/time] with Ifiltr 3
+/// @return the fault, or nothing.  Formulation 8, step 8; manual page, comment 15; as built: D07.
+std::optional<ConditionFault> filter_fault(int ifiltr, double xfreq);
 
 }  // namespace type21

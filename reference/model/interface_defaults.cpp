@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/card_reading.h"
 #include "reference/model/card_rules.h"
 #include "reference/model/friction_rules.h"
 #include "reference/model/heat_rules.h"
@@ -10,12 +11,11 @@
 namespace type21 {
 namespace {
 
-/// @manual field Fscalegap, Gapmax, Pmax, ITlim; departure D03
-void apply_gap(Interface& it, const AsBuilt& as_built) {
+/// @manual field Fscalegap, Gapmax, Pmax, ITlim
+void apply_gap(Interface& it) {
     if (it.igap == 0) {
         idle(it.fscalegap, 1.0, "not used with Igap 0");
         idle(it.gapmax, no_limit, "not used with Igap 0");
-        if (as_built.has(Departure::D03)) idle(it.depth, 0.0, "D03: DEPTH is ignored with Igap 0");
     }
     default_for_zero(it.fscalegap, 1.0, "0 means 1");
     default_for_zero(it.gapmax, no_limit, "0 means no upper bound");
@@ -23,9 +23,9 @@ void apply_gap(Interface& it, const AsBuilt& as_built) {
     default_for_zero(it.pmax, no_limit, "0 means no limit");
 }
 
-/// @manual field Stfac, Stmin, Stmax, Pskid; departure D02
-void apply_stiffness(const CardValidator& judge) {
-    Interface& it = judge.interface;
+/// @manual field Stfac, Stmin, Stmax, Pskid
+void apply_stiffness(const CardValidator& validator) {
+    Interface& it = validator.interface;
     if (it.istf == 1) {
         idle(it.stmin, 0.0, "bounds the stiffness of Istf 0 only");
         idle(it.stmax, no_limit, "bounds the stiffness of Istf 0 only");
@@ -34,44 +34,29 @@ void apply_stiffness(const CardValidator& judge) {
     default_for_zero(it.pskid, no_limit, "0 means no limit");
     if (it.istf != 1) {
         default_for_zero(it.stfac, 1.0, "0 means 1");
-    } else if (it.stfac == 0 && judge.model.as_built.has(Departure::D02)) {
-        take_default(it.stfac, 1.0, "D02: 0 means 1 in work units");
     } else if (it.stfac == 0) {
-        judge.warning("Stfac",
-                      "with Istf 1 it is the stiffness itself: the interface has no stiffness and gives no force",
-                      "Give the stiffness of a node, or Istf 0 for the stiffness of its shells");
+        validator.warning("Stfac",
+                          "with Istf 1 it is the stiffness itself: the interface has no stiffness and gives no force",
+                          "Give the stiffness of a node, or Istf 0 for the stiffness of its shells");
     }
 }
 
-/// Without a sensor Tstart and Tstop bound the activity, with one it decides alone. Source: page, comment 20.
-/// @manual field Tstart, Tstop, sens_ID; comment 20; departure D09
-void apply_activity(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    if (it.sensor >= 0 && judge.model.as_built.has(Departure::D09)) {
-        it.sensor = -1;
-        take_by_rule(it.sens_id, it.sens_id.value, "D09: the sensor is ignored");
-    }
+/// Without a sensor Tstart and Tstop bound the activity, with one it decides alone. Formulation 9, step 2.
+/// @manual field Tstart, Tstop, sens_ID; comment 20
+void apply_activity(const CardValidator& validator) {
+    Interface& it = validator.interface;
     if (it.sensor >= 0) {
         if (it.tstart != 0)
-            judge.warning("Tstart", "is not used: sens_ID alone switches the interface", "Leave Tstart blank");
+            validator.warning("Tstart", "is not used: sens_ID alone switches the interface", "Leave Tstart blank");
         if (it.tstop != 0)
-            judge.warning("Tstop", "is not used: sens_ID alone switches the interface", "Leave Tstop blank");
+            validator.warning("Tstop", "is not used: sens_ID alone switches the interface", "Leave Tstop blank");
         idle(it.tstart, 0.0, "not used: sens_ID decides");
         idle(it.tstop, no_limit, "not used: sens_ID decides");
     }
     default_for_zero(it.tstop, no_limit, it.sensor >= 0 ? "not used: sens_ID decides" : "0 means never");
 }
 
-/// D20: as built 2, 3 and 4 are answered by a message and act as 0.
-/// @manual field Inacti; departure D20
-void apply_inacti(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    if (!judge.model.as_built.has(Departure::D20) || it.inacti < 2 || it.inacti > 4) return;
-    judge.warning("Inacti", "D20: is not available and acts as 0", "Give one of 0, 1, 5, 6");
-    take_by_rule(it.inacti, 0, fmt::format("D20: {} acts as 0", it.inacti.value));
-}
-
-/// Room for candidates; the answer never hangs on it. Source: page, comment 10.
+/// Memory for candidates; no result depends on it. Manual page, comment 10.
 /// @manual field Bumult; comment 10
 void apply_bumult(Interface& it, int nodes) {
     if (nodes > 2'500'000)
@@ -104,18 +89,18 @@ void apply_deletion(Interface& it) {
 
 }  // namespace
 
-void apply_interface_defaults(const CardValidator& judge) {
-    Interface& it = judge.interface;
+void apply_interface_defaults(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    take_as_built_values(validator);
     apply_deletion(it);
-    apply_gap(it, judge.model.as_built);
-    apply_stiffness(judge);
-    apply_activity(judge);
-    apply_inacti(judge);
+    apply_gap(it);
+    apply_stiffness(validator);
+    apply_activity(validator);
     default_for_zero(it.viss, 1.0, "0 means 1");
-    apply_bumult(it, judge.model.nodes.size());
-    apply_friction(judge);
+    apply_bumult(it, validator.model.nodes.size());
+    apply_friction(validator);
     apply_adaptive(it);
-    apply_heat(judge);
+    apply_heat(validator);
 }
 
 }  // namespace type21

@@ -16,17 +16,17 @@ struct InterfaceField {
     int line = 0;  ///< 1..12
     int first = 0;
     int last = 0;
-    std::string_view name;  ///< as on the page
+    std::string_view name;  ///< as on the manual page
     std::variant<Sourced<int> Interface::*, Sourced<Id> Interface::*, Sourced<double> Interface::*, size_t>
         member;         ///< size_t: rank in c
-    Dimension fixed{};  ///< where it does not hang on a flag: see dimension()
+    Dimension fixed{};  ///< where it does not depend on a flag: see dimension()
     int since = 120;    ///< first version of /BEGIN that reads it
 };
 
 /// In the order of the card.
 const std::vector<InterfaceField>& interface_fields();
 
-/// Dimension of a field; that of Stfac, Xfreq, C1..C6 and Kthe hangs on Istf, Ifiltr, Ifric and fct_IDK.
+/// Dimension of a field; that of Stfac, Xfreq, C1..C6 and Kthe depends on Istf, Ifiltr, Ifric and fct_IDK.
 Dimension dimension(const InterfaceField& field, const Interface& interface);
 
 /// Calls action(Sourced<...>&) with the field's value in the interface.

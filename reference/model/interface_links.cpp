@@ -17,64 +17,66 @@ int index_of(const std::vector<Object>& objects, Id id) {
     return -1;
 }
 
-int surface(const CardValidator& judge, std::string_view field, Id id) {
+int surface(const CardValidator& validator, std::string_view field, Id id) {
     if (id == 0) {
-        judge.error(field, "names the surface and must be given", "Give the id of a /SURF");
+        validator.error(field, "names the surface and must be given", "Give the id of a /SURF");
         return -1;
     }
-    const int found = index_of(judge.model.surfaces, id);
+    const int found = index_of(validator.model.surfaces, id);
     if (found < 0) {
-        judge.error(field, fmt::format("there is no surface {}", id), "Give the id of a /SURF of the deck");
-    } else if (judge.model.surfaces[static_cast<size_t>(found)].segments.empty()) {
-        judge.error(field, "the surface has no segments", "Check the parts, surfaces or segments that it is made of");
+        validator.error(field, fmt::format("there is no surface {}", id), "Give the id of a /SURF of the deck");
+    } else if (validator.model.surfaces[static_cast<size_t>(found)].segments.empty()) {
+        validator.error(field, "the surface has no segments",
+                        "Check the parts, surfaces or segments that it is made of");
     }
     return found;
 }
 
 template <class Object>
-int optional_link(const CardValidator& judge, std::string_view field, Id id, const std::vector<Object>& objects,
+int optional_link(const CardValidator& validator, std::string_view field, Id id, const std::vector<Object>& objects,
                   std::string_view keyword) {
     if (id == 0) return -1;
     const int found = index_of(objects, id);
     if (found < 0)
-        judge.error(field, fmt::format("there is no {} with this id", keyword),
-                    fmt::format("Give the id of a {} of the deck, or 0", keyword));
+        validator.error(field, fmt::format("there is no {} with this id", keyword),
+                        fmt::format("Give the id of a {} of the deck, or 0", keyword));
     return found;
 }
 
 }  // namespace
 
-void link_interface(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    it.secondary_surface = surface(judge, "surf_IDs", it.surf_secondary);
-    it.main_surface = surface(judge, "surf_IDm", it.surf_main);
-    it.sensor = optional_link(judge, "sens_ID", it.sens_id, judge.model.sensors, "/SENSOR/TIME");
-    it.friction_model = optional_link(judge, "fric_ID", it.fric_id, judge.model.friction_models, "/FRICTION");
+void link_interface(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    it.secondary_surface = surface(validator, "surf_IDs", it.surf_secondary);
+    it.main_surface = surface(validator, "surf_IDm", it.surf_main);
+    it.sensor = optional_link(validator, "sens_ID", it.sens_id, validator.model.sensors, "/SENSOR/TIME");
+    it.friction_model = optional_link(validator, "fric_ID", it.fric_id, validator.model.friction_models, "/FRICTION");
     if (uses_friction_function(it))
-        it.function_friction = optional_link(judge, "fct_IDF", it.fct_idf, judge.model.functions, "/FUNCT");
+        it.function_friction = optional_link(validator, "fct_IDF", it.fct_idf, validator.model.functions, "/FUNCT");
     if (it.ithe != 0) {
-        it.function_conduction = optional_link(judge, "fct_IDK", it.fct_idk, judge.model.functions, "/FUNCT");
-        it.function_distance = optional_link(judge, "Fcond", it.fcond, judge.model.functions, "/FUNCT");
-        check_distance_function(judge);
+        it.function_conduction = optional_link(validator, "fct_IDK", it.fct_idk, validator.model.functions, "/FUNCT");
+        it.function_distance = optional_link(validator, "Fcond", it.fcond, validator.model.functions, "/FUNCT");
+        check_distance_function(validator);
     }
-    it.tool = index_of(judge.model.rigid_bodies, it.idrby);
+    it.tool = index_of(validator.model.rigid_bodies, it.idrby);
     if (it.tool < 0)
-        judge.error("IDrby",
-                    it.idrby == 0 ? "names the tool's rigid body and must be given" : "there is no /RBODY with this id",
-                    "Give the id of the /RBODY that holds every main node");
+        validator.error(
+            "IDrby",
+            it.idrby == 0 ? "names the tool's rigid body and must be given" : "there is no /RBODY with this id",
+            "Give the id of the /RBODY that holds every main node");
 }
 
 /// @manual field IDref
-void link_reference_interface(const CardValidator& judge) {
-    Interface& it = judge.interface;
+void link_reference_interface(const CardValidator& validator) {
+    Interface& it = validator.interface;
     if (it.idref == 0) return;
-    const int found = index_of(judge.model.interfaces, it.idref);
+    const int found = index_of(validator.model.interfaces, it.idref);
     if (found < 0) {
-        judge.error("IDref", "there is no /INTER/TYPE21 with this id",
-                    "Give the id of another TYPE21 interface, or 0 for absolute damping");
+        validator.error("IDref", "there is no /INTER/TYPE21 with this id",
+                        "Give the id of another TYPE21 interface, or 0 for absolute damping");
     } else if (it.idref == it.id) {
-        judge.error("IDref", "an interface is not its own reference",
-                    "Give the id of another TYPE21 interface, or 0 for absolute damping");
+        validator.error("IDref", "an interface is not its own reference",
+                        "Give the id of another TYPE21 interface, or 0 for absolute damping");
     } else {
         it.reference_interface = found;
     }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/card_reading.h"
 #include "reference/model/sourced_rules.h"
 
 namespace type21 {
@@ -20,13 +21,8 @@ bool is_void(const Model& model, const Shell& shell) {
     return material < 0 || model.materials[at(material)].law == MaterialLaw::none;
 }
 
-const std::vector<Segment>& secondary_segments(const CardValidator& judge) {
-    return judge.model.surfaces[at(judge.interface.secondary_surface)].segments;
-}
-
-/// Contact thickness of the part of a segment's element.
-double part_thickness(const Model& model, const Segment& segment) {
-    return segment.shell < 0 ? 0.0 : model.parts[at(model.shells[at(segment.shell)].part)].contact_thickness;
+const std::vector<Segment>& secondary_segments(const CardValidator& validator) {
+    return validator.model.surfaces[at(validator.interface.secondary_surface)].segments;
 }
 
 std::vector<double> picked(const std::vector<double>& of_all_nodes, const std::vector<int>& nodes) {
@@ -35,19 +31,52 @@ std::vector<double> picked(const std::vector<double>& of_all_nodes, const std::v
     return values;
 }
 
-/// D29: each corner is compared with the model's node of c-th lowest id (c the corner) in place of its own earlier
-/// value.
-std::vector<double> contact_thickness_d29(const Model& model, const Surface& secondary) {
-    std::vector<double> thickness(model.nodes.id.size(), 0.0);  // nodes are sorted by id
-    for (const Segment& segment : secondary.segments)
-        for (size_t corner = 0; corner < 4; ++corner) {
-            const double lowest = corner < thickness.size() ? thickness[corner] : 0.0;
-            thickness[at(segment.node[corner])] = std::max(lowest, part_thickness(model, segment));
-        }
-    return thickness;
+/// Unweighted mean thickness of the shells of the secondary surface, void ones too; 0 without any.
+double mean_shell_thickness(const CardValidator& validator) {
+    std::vector<double> thickness;
+    for (const Segment& segment : secondary_segments(validator))
+        if (segment.shell >= 0) thickness.push_back(validator.model.shells[at(segment.shell)].thickness);
+    return mean(thickness);
 }
 
-/// Mean, taken up one value at a time, so that the mean of equal values is that value to the last bit.
+/// Gapmin of Igap 0; half of a mean thickness if it is not given.
+/// @manual field Gapmin; comment 2
+void resolve_constant_gap(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    if (it.gapmin != 0) return;
+    const GapminDefault fallback = validator.reading().gapmin_default(validator);
+    take_default(it.gapmin, fallback.value, fallback.why);
+    if (it.gapmin == 0)
+        validator.warning(
+            "Gapmin",
+            "Igap 0 without Gapmin takes half of the mean thickness of the secondary shells, and they have "
+            "none: the gap is 0",
+            "Give Gapmin");
+}
+
+/// @manual field DEPTH; comment 4
+void resolve_depth(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    if (it.depth == 0) {
+        take_default(it.depth, std::max(it.largest_gap, it.shortest_edge),
+                     "0 means the larger of the largest gap and the shortest secondary edge");
+    } else if (it.depth < it.largest_gap) {
+        take_by_rule(it.depth, it.largest_gap, fmt::format("raised from {} to the largest gap", it.depth.value));
+    }
+    if (it.depth > it.shortest_edge)
+        validator.warning(
+            "DEPTH",
+            fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one element",
+                        validator.length(it.shortest_edge)),
+            "Give a smaller DEPTH unless nodes really get that deep");
+}
+
+}  // namespace
+
+double part_thickness(const Model& model, const Segment& segment) {
+    return segment.shell < 0 ? 0.0 : model.parts[at(model.shells[at(segment.shell)].part)].contact_thickness;
+}
+
 double mean(const std::vector<double>& values) {
     double mean_so_far = 0;
     double count = 0;
@@ -56,51 +85,13 @@ double mean(const std::vector<double>& values) {
     return mean_so_far;
 }
 
-/// Unweighted mean thickness of the shells of the secondary surface, void ones too; 0 without any.
-double mean_shell_thickness(const CardValidator& judge) {
-    std::vector<double> thickness;
-    for (const Segment& segment : secondary_segments(judge))
-        if (segment.shell >= 0) thickness.push_back(judge.model.shells[at(segment.shell)].thickness);
-    return mean(thickness);
+GapminDefault gapmin_default(const CardValidator& validator) {
+    return {0.5 * mean_shell_thickness(validator), "half of the mean thickness of the secondary shells"};
 }
 
-/// Gapmin of Igap 0; half of a mean thickness if it is not given.
-/// @manual field Gapmin; comment 2; departure D19
-void resolve_constant_gap(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    if (it.gapmin != 0) return;
-    if (judge.model.as_built.has(Departure::D19)) {
-        take_default(it.gapmin, 0.5 * mean(it.secondary.thickness),
-                     "D19: half of the mean over the secondary nodes of the thickest shell at each");
-    } else {
-        take_default(it.gapmin, 0.5 * mean_shell_thickness(judge),
-                     "half of the mean thickness of the secondary shells");
-    }
-    if (it.gapmin == 0)
-        judge.warning("Gapmin",
-                      "Igap 0 without Gapmin takes half of the mean thickness of the secondary shells, and they have "
-                      "none: the gap is 0",
-                      "Give Gapmin");
+double own_search_gap(const Interface& /*interface*/, double /*raw*/, double gap) {
+    return gap;
 }
-
-/// @manual field DEPTH; comment 4
-void resolve_depth(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    if (it.depth == 0) {
-        take_default(it.depth, std::max(it.largest_gap, it.shortest_edge),
-                     "0 means the larger of the largest gap and the shortest secondary edge");
-    } else if (it.depth < it.largest_gap) {
-        take_by_rule(it.depth, it.largest_gap, fmt::format("raised from {} to the largest gap", it.depth.value));
-    }
-    if (it.depth > it.shortest_edge)
-        judge.warning(
-            "DEPTH",
-            fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one element",
-                        judge.length(it.shortest_edge)),
-            "Give a smaller DEPTH unless nodes really get that deep");
-}
-
-}  // namespace
 
 std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& nodes) {
     std::vector<double> largest(model.nodes.id.size(), 0.0);
@@ -112,9 +103,8 @@ std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& 
     return picked(largest, nodes);
 }
 
-/// @manual eq 3, 4; departure D29
+/// @manual eq 3, 4
 std::vector<double> contact_thickness(const Model& model, const Surface& secondary, const std::vector<int>& nodes) {
-    if (model.as_built.has(Departure::D29)) return picked(contact_thickness_d29(model, secondary), nodes);
     std::vector<double> largest(model.nodes.id.size(), 0.0);
     for (const Segment& segment : secondary.segments)
         for (const int node : segment.node)
@@ -122,13 +112,13 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
     return picked(largest, nodes);
 }
 
-/// @manual eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2; departure D33
-void resolve_gaps(const CardValidator& judge) {
-    Interface& it = judge.interface;
+/// @manual eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2
+void resolve_gaps(const CardValidator& validator) {
+    Interface& it = validator.interface;
     SecondarySide& side = it.secondary;
     const auto count = at(side.size());
     if (it.igap == 0) {
-        resolve_constant_gap(judge);
+        resolve_constant_gap(validator);
         side.gap.assign(count, it.gapmin);
         side.search_gap = side.gap;
         it.largest_gap = it.smallest_gap_raw = it.gapmin;
@@ -141,12 +131,11 @@ void resolve_gaps(const CardValidator& judge) {
         }
         it.largest_gap = *std::max_element(side.gap.begin(), side.gap.end());
         it.smallest_gap_raw = *std::min_element(raw.begin(), raw.end());
-        side.search_gap = side.gap;
-        if (judge.model.as_built.has(Departure::D33))
-            for (size_t i = 0; i < count; ++i)
-                side.search_gap[i] = std::max(std::min(raw[i], it.gapmax.value), it.largest_gap);
+        const CardReading reading = validator.reading();
+        for (size_t i = 0; i < count; ++i)
+            side.search_gap.push_back(reading.search_gap(it, raw[i], side.gap[i]));
     }
-    resolve_depth(judge);
+    resolve_depth(validator);
 }
 
 }  // namespace type21

@@ -47,7 +47,8 @@ void lump(const Model& model, PerVolume&& per_volume, std::vector<double>& sum) 
 
 }  // namespace
 
-/// Nodal mass [mass] (formulation 7): lumped density plus the added masses. Void material counts with its density.
+/// Nodal mass [mass] (Formulation 7, step 6): lumped density plus the added masses. Void material counts with its
+/// density.
 void sum_nodal_mass(Model& model) {
     std::vector<double>& mass = model.nodal_mass;
     lump(
@@ -61,8 +62,8 @@ void sum_nodal_mass(Model& model) {
     }
 }
 
-/// Nodal heat capacity [energy/temperature] (formulation 9): lumped rho Cp with the shares of the mass, void material
-/// with /HEAT/MAT too. Empty when no material is thermal.
+/// Nodal heat capacity [energy/temperature] (Formulation 9, step 12): lumped rho Cp with the shares of the mass, void
+/// material with /HEAT/MAT too. Empty when no material is thermal.
 void sum_nodal_heat_capacity(Model& model) {
     model.nodal_heat_capacity.clear();
     if (std::none_of(model.materials.begin(), model.materials.end(),

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "reference/model/friction_conditions.h"
+#include "reference/model/card_reading.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
@@ -15,7 +15,8 @@ constexpr Dimension per_velocity{0, -1, 1, 0};
 constexpr Dimension per_velocity_squared{0, -2, 2, 0};
 constexpr Dimension per_pressure_velocity{-1, 0, 3, 0};
 
-/// Dimensions of C1..C6 by law (formulation 8): 0 Coulomb, 1 viscous, 2 Darmstadt, 3 Renard, 4 exponential.
+/// Dimensions of C1..C6 by law (Formulation 8, step 3 to step 7): 0 Coulomb, 1 viscous, 2 Darmstadt, 3 Renard, 4
+/// exponential.
 constexpr std::array<std::array<Dimension, 6>, 5> coefficient_dimensions{
     {{},
      {{per_pressure, per_velocity, per_pressure_velocity, per_pressure_squared, per_velocity_squared, dim::none}},
@@ -24,7 +25,7 @@ constexpr std::array<std::array<Dimension, 6>, 5> coefficient_dimensions{
      {{dim::none, per_velocity, dim::none, dim::none, dim::none, dim::none}}}};
 
 /// Two lines: C1..C5; C6, Fric and VISf (the latter belongs to the viscous formulation, which TYPE21 never uses).
-FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric, const AsBuilt& as_built) {
+FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric, const CardReading& rules) {
     FrictionCoefficients read;
     const auto& dimensions = coefficient_dimensions[static_cast<size_t>(ifric)];
     for (size_t i = 0; i < 6; ++i) {
@@ -36,8 +37,8 @@ FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric, co
         reader.error(static_cast<int>(line) + 1, "Fric", fmt::format("{}", read.fric),
                      "a friction coefficient is not negative", "Give a value such as 0.1");
     }
-    if (ifric == 3 && !as_built.has(Departure::D17)) {
-        for (const ConditionFault& fault : renard_faults(read.c, reader.to())) {
+    if (ifric == 3) {
+        for (const ConditionFault& fault : rules.renard_faults(read.c, reader.to())) {
             reader.error(static_cast<int>(fault.rank < 5 ? line : line + 1), fmt::format("C{}", fault.rank + 1),
                          quantity(reader, read.c[fault.rank], dimensions[fault.rank]), fault.rule, fault.remedy);
         }
@@ -61,7 +62,7 @@ FrictionPair read_pair(Reading& reading, CardReader& reader, size_t line, int if
     pair.part_a = reading.reference(reader, line, 21, 30, "part_ID1", reading.parts, !groups);
     pair.part_b = reading.reference(reader, line, 31, 40, "part_ID2", reading.parts, !groups);
     refuse_unless_zero(reader, line, 51, 60, "Idir", "friction that depends on the direction is");
-    pair.coefficients = coefficients(reader, line + 1, ifric, reading.model.as_built);
+    pair.coefficients = coefficients(reader, line + 1, ifric, card_reading(reading.model.as_built));
     return pair;
 }
 
@@ -71,6 +72,7 @@ FrictionPair read_pair(Reading& reading, CardReader& reader, size_t line, int if
 void read_friction(Reading& reading) {
     std::vector<FrictionModel>& models = reading.model.friction_models;
     const auto next = [&] { return static_cast<int>(models.size()); };
+    const CardReading rules = card_reading(reading.model.as_built);
     reading.each(Keyword::friction, reading.friction_models, next, [&](CardReader& reader, Id id) {
         FrictionModel model;
         model.id = id;
@@ -81,9 +83,9 @@ void read_friction(Reading& reading) {
         // Xfreq is a cutting frequency with Ifiltr 3 only; otherwise it is a pure number.
         const Dimension frequency = model.ifiltr == 3 ? dim::frequency : dim::none;
         model.xfreq = reader.real(1, 21, 40, "Xfreq", frequency);
-        if (const auto fault = filter_fault(model.ifiltr, model.xfreq, reading.model.as_built))
+        if (const auto fault = rules.filter_fault(model.ifiltr, model.xfreq))
             reader.error(1, "Xfreq", quantity(reader, model.xfreq, frequency), fault->rule, fault->remedy);
-        model.fallback = coefficients(reader, 2, model.ifric, reading.model.as_built);
+        model.fallback = coefficients(reader, 2, model.ifric, rules);
         for (size_t line = 4; line < reader.line_count(); line += 3) {
             if (reader.blank(line, 1, 100)) continue;
             model.pairs.push_back(read_pair(reading, reader, line, model.ifric));

@@ -44,11 +44,12 @@ void note_unused(CardReader& reader) {
     const double b = reader.real(1, 41, 60, "B_L", dim::conductivity_slope);
     const double work_to_heat = reader.real(1, 61, 80, "EFRAC", dim::none);
     if ((a != 0 || b != 0) && melting != 0 && melting < never)
-        reader.warning(1, a != 0 ? "A_L" : "B_L",
-                       a != 0 ? quantity(reader, a, dim::conductivity) : quantity(reader, b, dim::conductivity_slope),
-                       fmt::format("the page's conductivity is A_S + B_S T, A_L and B_L above T1 {} are not used",
-                                   quantity(reader, melting, dim::temperature)),
-                       "Nothing needs to be done while the sheet stays below T1");
+        reader.warning(
+            1, a != 0 ? "A_L" : "B_L",
+            a != 0 ? quantity(reader, a, dim::conductivity) : quantity(reader, b, dim::conductivity_slope),
+            fmt::format("the conductivity of the manual page is A_S + B_S T, A_L and B_L above T1 {} are not used",
+                        quantity(reader, melting, dim::temperature)),
+            "Nothing needs to be done while the sheet stays below T1");
     if (work_to_heat != 0)
         reader.warning(1, "EFRAC", fmt::format("{}", work_to_heat),
                        "has no effect: no plastic work is computed, so none becomes heat", "Leave it blank");

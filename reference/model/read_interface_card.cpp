@@ -95,7 +95,7 @@ void note_multimp(CardReader& card, int version) {
     const auto line = static_cast<size_t>(data_line(1));
     if (version > last_version_with_multimp || card.blank(line, 51, 60)) return;
     card.warning(data_line(1), "Multimp", card.text(line, 51, 60),
-                 "has no effect: room for candidates is found by itself", "Leave columns 51 to 60 blank");
+                 "has no effect: the memory for candidates is found by itself", "Leave columns 51 to 60 blank");
 }
 
 /// A number beside its field would be lost without a word: mostly a line that is shifted.
@@ -109,7 +109,7 @@ void note_unread_columns(CardReader& card, int version) {
         if (line == 1 && version <= last_version_with_multimp)
             for (size_t column = 51; column <= 60; ++column)
                 read.set(column);
-        if (line == 5)  // columns 1 to 7 are judged with IBC
+        if (line == 5)  // columns 1 to 7 are checked with IBC
             for (size_t column = 1; column <= 7; ++column)
                 read.set(column);
         for (int first = 1; first <= columns; ++first) {
@@ -131,7 +131,7 @@ void note_unread_columns(CardReader& card, int version) {
 
 bool read_interface_card(CardReader& card, int version, Interface& interface) {
     if (!has_twelve_lines(card)) return false;
-    // The dimension of some reals hangs on flags that stand behind them: integers first.
+    // The dimension of some reals depends on flags that stand behind them: integers first.
     for (const bool reals : {false, true})
         for (const InterfaceField& field : interface_fields())
             if (with_field(interface, field, [](auto& value) {

@@ -12,10 +12,11 @@ inline int data_line(int card_line) {
 }
 
 /// Reads every field of the card, in work units and with its place; no default is applied: blank is 0.
-/// Fields that the deck's version does not have are 0 and absent. Source: page; the columns of a measured OpenRadioss
-/// run (commit bd4557b) where the page's table dropped its blank cells.
+/// Fields that the deck's version does not have are 0 and absent. Columns: the manual page, and those of a measured
+/// OpenRadioss run (commit bd4557b) where the table of the manual page has lost its blank cells.
 /// @param version  of /BEGIN
-/// @return false when the lines cannot be told apart (not twelve of them): the fields are then left alone.
+/// @return false when the lines cannot be told apart (not twelve of them): the fields are then left alone,
+///         and the error is reported
 bool read_interface_card(CardReader& card, int version, Interface& interface);
 
 }  // namespace type21

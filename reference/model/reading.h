@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "reference/model/card_reader.h"
+#include "reference/model/known_keywords.h"
 #include "reference/model/model.h"
-#include "reference/model/vocabulary.h"
 
 namespace type21 {
 
@@ -109,7 +109,7 @@ std::string quantity(const CardReader& reader, double value, Dimension dimension
 
 // The readers, in the order in which resolve() calls them.
 void read_begin(Reading& reading);
-void check_vocabulary(Reading& reading);
+void check_keywords(Reading& reading);
 void read_functions(Reading& reading);
 void read_materials(Reading& reading);
 void read_heat_materials(Reading& reading);

@@ -40,7 +40,7 @@ void note_unsupported(Reading& reading, const Card& card) {
 
 }  // namespace
 
-void check_vocabulary(Reading& reading) {
+void check_keywords(Reading& reading) {
     for (const ReadCard& entry : reading.cards) {
         const Card& card = *entry.card;
         if (card.words.empty() || entry.match.keyword == Keyword::unsupported) {
@@ -68,7 +68,7 @@ Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems) {
     if (deck.starter.empty()) return model;  // reading the deck has said why
     Reading reading(deck, model, problems);
     read_begin(reading);
-    check_vocabulary(reading);
+    check_keywords(reading);
     read_functions(reading);
     read_materials(reading);
     read_heat_materials(reading);

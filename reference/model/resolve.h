@@ -7,7 +7,9 @@
 
 namespace type21 {
 
-/// Reads meaning into a deck. All problems are collected; the model is complete only when problems has no error.
+/// What a deck means, with every default resolved, in the work units of /BEGIN.
+/// @param as_built  departures that are switched on (Formulation 12, step 1)
+/// @param problems  gets everything that is wrong; the model is complete only when it has no error
 Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems);
 
 }  // namespace type21

@@ -1,4 +1,4 @@
-/// @file Every TYPE21 card in turn: read, judged, linked, defaults, both sides.
+/// @file Every TYPE21 card in turn: read, checked, linked, defaults, both sides.
 #include "reference/model/resolve_interfaces.h"
 
 #include <algorithm>
@@ -45,17 +45,17 @@ bool has_segments(const Model& model, int surface) {
 }
 
 /// Everything of time 0 that needs both surfaces and the tool.
-void build_sides(const CardValidator& judge) {
-    const Interface& it = judge.interface;
-    if (!has_segments(judge.model, it.secondary_surface)) return;
-    build_secondary_side(judge);
-    resolve_gaps(judge);
-    resolve_heat_distances(judge);
-    if (!has_segments(judge.model, it.main_surface) || it.tool < 0) return;
-    build_tool_side(judge);
-    check_sides(judge);
-    check_thermal_sides(judge);
-    check_main_normals(judge);
+void build_sides(const CardValidator& validator) {
+    const Interface& it = validator.interface;
+    if (!has_segments(validator.model, it.secondary_surface)) return;
+    build_secondary_side(validator);
+    resolve_gaps(validator);
+    resolve_heat_distances(validator);
+    if (!has_segments(validator.model, it.main_surface) || it.tool < 0) return;
+    build_tool_side(validator);
+    check_sides(validator);
+    check_thermal_sides(validator);
+    check_main_normals(validator);
 }
 
 }  // namespace
@@ -76,11 +76,11 @@ void resolve_interfaces(const Deck& deck, Model& model, Problems& problems) {
             reader.error(-1, "inter_ID", fmt::format("{}", interface.id), "is the id of another interface already",
                          "Give each interface an id of its own");
         if (read_interface_card(reader, model.version, interface)) {
-            const CardValidator judge{reader, model, interface};
-            check_interface_card(judge);
-            link_interface(judge);
-            apply_interface_defaults(judge);
-            build_sides(judge);
+            const CardValidator validator{reader, model, interface};
+            check_interface_card(validator);
+            link_interface(validator);
+            apply_interface_defaults(validator);
+            build_sides(validator);
             cards.push_back({reader, model.interfaces.size()});
         }
         model.interfaces.push_back(std::move(interface));

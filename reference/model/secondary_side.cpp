@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "reference/model/card_reading.h"
 #include "reference/model/nodal_gaps.h"
 
 namespace type21 {
@@ -72,14 +73,14 @@ double shortest_edge(const Model& model, const Surface& surface) {
 }
 
 /// @manual field surf_IDs
-void build_secondary_side(const CardValidator& judge) {
-    Interface& it = judge.interface;
-    const Model& model = judge.model;
+void build_secondary_side(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    const Model& model = validator.model;
     const Surface& surface = model.surfaces[at(it.secondary_surface)];
     SecondarySide& side = it.secondary;
     side.node = surface_nodes(surface);
     side.thickness = nodal_thickness(model, side.node);
-    side.contact_thickness = contact_thickness(model, surface, side.node);
+    side.contact_thickness = validator.reading().contact_thickness(model, surface, side.node);
     side.area = nodal_area(model, surface, side.node);
     side.element_stiffness = element_stiffness(model, side.node);
     for (const int node : side.node)

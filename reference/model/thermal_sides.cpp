@@ -37,30 +37,30 @@ std::string failing(const Model& model, const std::vector<int>& nodes, Good&& go
 
 }  // namespace
 
-void check_thermal_sides(const CardValidator& judge) {
-    const Interface& it = judge.interface;
-    const Model& model = judge.model;
+void check_thermal_sides(const CardValidator& validator) {
+    const Interface& it = validator.interface;
+    const Model& model = validator.model;
     if (it.ithe == 0) return;
     const std::string blank = failing(model, it.secondary.node, [&](int node) { return holds_heat(model, node); });
     if (!blank.empty())
-        judge.error_with("Ithe", blank, "every secondary node needs a heat capacity: that of a thermal material",
-                         "Add /HEAT/MAT for the materials of the secondary shells, or set Ithe to 0");
+        validator.error_with("Ithe", blank, "every secondary node needs a heat capacity: that of a thermal material",
+                             "Add /HEAT/MAT for the materials of the secondary shells, or set Ithe to 0");
     const auto imposed = [&](int node) { return in_group_of(model, model.imposed_temperatures, node); };
     if (it.ithe_form == 1) {
         const std::string tool =
             failing(model, it.main_nodes, [&](int node) { return holds_heat(model, node) || imposed(node); });
         if (!tool.empty())
-            judge.error_with("Ithe_form", tool,
-                             "with Ithe_form 1 the tool is heated: every main node needs a heat capacity",
-                             "Add /HEAT/MAT for the tool's material, or impose its temperature by /IMPTEMP");
+            validator.error_with("Ithe_form", tool,
+                                 "with Ithe_form 1 the tool is heated: every main node needs a heat capacity",
+                                 "Add /HEAT/MAT for the tool's material, or impose its temperature by /IMPTEMP");
     } else if (it.ithe == 2) {
         const std::string tool = failing(model, it.main_nodes, [&](int node) {
             return holds_heat(model, node) || imposed(node) || in_group_of(model, model.initial_temperatures, node);
         });
         if (!tool.empty())
-            judge.error_with("Ithe", tool,
-                             "with Ithe 2 the tool has the temperatures of its nodes, and these have none",
-                             "Give them by /IMPTEMP, by /INITEMP or by /HEAT/MAT of the tool's material");
+            validator.error_with("Ithe", tool,
+                                 "with Ithe 2 the tool has the temperatures of its nodes, and these have none",
+                                 "Give them by /IMPTEMP, by /INITEMP or by /HEAT/MAT of the tool's material");
     }
 }
 

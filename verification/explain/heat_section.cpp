@@ -18,7 +18,7 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
     const double d = std::max(node.distance, 0.0);
     const double blank = input.motion.temperature[static_cast<size_t>(input.model_node())];
     const double tool = input.inspect.tool_temperature(node.decision, input.motion);
-    const HeatZones zones = heat_zones(card, d, node.gap, input.model().as_built);
+    const HeatZones zones = input.inspect.reading().heat_zones(card, d, node.gap);
     const std::string kelvin = input.unit(dim::temperature);
     const std::string energy = input.unit(dim::energy);
     AccountSection section{"heat", {}};

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "optimized/kernel/friction_law.h"
+#include "reference/as_built/reading_of.h"
 #include "reference/contact/friction_law.h"
 
 namespace type21 {
@@ -64,6 +65,7 @@ std::vector<double> speeds_of(const std::vector<FrictionPoint>& points) {
 void add_curves(const Model& model, const Interface& card, InterfaceLaws& laws) {
     if (laws.friction.empty()) return;
     const FrictionCoefficients numbers = reference::friction_coefficients(model, card, -1, -1);
+    const reference::ContactReading reading = reference::as_built::reading_of(model, card);
     const optimized::FrictionLaw law(card.ifric, model.as_built);
     double largest = 0;
     for (const FrictionPoint& point : laws.friction)
@@ -74,7 +76,7 @@ void add_curves(const Model& model, const Interface& card, InterfaceLaws& laws) 
         FrictionCurve& curve = laws.curves.emplace_back();
         curve.speed = speed;
         for (const double pressure : laws.pressures) {
-            curve.mu.push_back(reference::friction_coefficient(card.ifric, numbers, pressure, speed, model.as_built));
+            curve.mu.push_back(reading.friction_coefficient(card.ifric, numbers, pressure, speed));
             curve.mu_optimized.push_back(law.coefficient(numbers, pressure, speed, 1.0));
         }
     }

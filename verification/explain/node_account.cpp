@@ -88,7 +88,7 @@ NodeAccount account_node(const AccountInput& input) {
         return account;
     }
     const NodeContact& node = account.node = input.step.nodes[static_cast<size_t>(input.node)];
-    account.replay = replay(input.model(), input.card(), input.inspect, input.node, input.motion, node, input.before);
+    account.replay = replay(input.card(), input.inspect, input.node, input.motion, node, input.before);
     account.agrees = same(node, account.replay);
     account.sections.push_back(impact_section(input, account));
     if (node.decision.kind == Kind::none) return account;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/contact/friction_filter.h"
 #include "reference/contact/normal_force.h"
-#include "reference/model/model.h"
 
 namespace type21 {
 
@@ -13,14 +11,14 @@ using namespace reference;
 
 namespace {
 
-void replay_friction(const Model& model, const Interface& interface, const Inspect& inspect, int i,
-                     const Motion& motion, const NodeContact& node, const NodeBefore& before, Replay& out) {
+void replay_friction(const Interface& interface, const Inspect& inspect, int i, const Motion& motion,
+                     const NodeContact& node, const NodeBefore& before, Replay& out) {
     out.has_friction = inspect.has(Effect::friction);
     if (!out.has_friction) return;
     out.input = inspect.friction_input(i, motion, node, out.acts);
     out.input.normal_force = out.normal_force;
     out.coefficient = inspect.friction_coefficient(i, out.input);
-    out.filter = filter_constant(interface, out.input.step, model.as_built);
+    out.filter = inspect.reading().filter_constant(interface, out.input.step);
     out.limit = std::min(out.coefficient * std::abs(out.normal_force), out.input.cap);
     out.friction = friction_force(before.friction, out.filter * out.input.stiffness, out.input.velocity, out.input.step,
                                   out.input.normal, out.limit);
@@ -29,15 +27,16 @@ void replay_friction(const Model& model, const Interface& interface, const Inspe
 
 }  // namespace
 
-Replay replay(const Model& model, const Interface& interface, const Inspect& inspect, int i, const Motion& motion,
-              const NodeContact& node, const NodeBefore& before) {
+Replay replay(const Interface& interface, const Inspect& inspect, int i, const Motion& motion, const NodeContact& node,
+              const NodeBefore& before) {
     Replay out;
     const bool time_zero = motion.time <= 0;
     const bool in_contact = node.decision.kind == Kind::contact;
     out.cycles = before.penetration.cycles;
     out.offset_before = before.penetration.offset;
     if (node.geometric_penetration == 0) {
-        if (time_zero && in_contact && inspect.stiffness(i) != 0 && model.as_built.has(Departure::D33)) out.cycles = 1;
+        if (time_zero && in_contact && inspect.stiffness(i) != 0 && inspect.reading().counts_without_penetration)
+            out.cycles = 1;
         out.impact = in_contact && time_zero && out.cycles > 0;
     } else {
         out.impact = true;
@@ -67,7 +66,7 @@ Replay replay(const Model& model, const Interface& interface, const Inspect& ins
     if (inspect.has(Effect::damping)) out.damping = damping_coefficient(interface.viss, out.stiffness, inspect.mass(i));
     out.normal_force = out.elastic_force - out.damping * out.normal_velocity;
 
-    replay_friction(model, interface, inspect, i, motion, node, {before.penetration, remembered}, out);
+    replay_friction(interface, inspect, i, motion, node, {before.penetration, remembered}, out);
     out.force = out.normal_force * node.normal - out.friction.force;
     return out;
 }

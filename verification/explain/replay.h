@@ -42,7 +42,7 @@ struct Replay {
 
 /// @param node    what the ContactStep says of secondary node i in this cycle
 /// @param before  its history as the cycle began, that of Inacti included
-Replay replay(const Model& model, const Interface& interface, const reference::Inspect& inspect, int i,
-              const Motion& motion, const NodeContact& node, const NodeBefore& before);
+Replay replay(const Interface& interface, const reference::Inspect& inspect, int i, const Motion& motion,
+              const NodeContact& node, const NodeBefore& before);
 
 }  // namespace type21

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "reference/contact/stiffness.h"
+#include "reference/as_built/reading_of.h"
 
 namespace type21 {
 namespace {
@@ -18,9 +18,10 @@ Range range(const std::vector<double>& values) {
 
 TimeZero time_zero(const HostScene& scene, int interface) {
     const Interface& card = scene.model->interfaces.at(static_cast<size_t>(interface));
+    const reference::ContactReading reading = reference::as_built::reading_of(*scene.model, card);
     std::vector<double> stiffness;
     for (const double element : card.secondary.element_stiffness)
-        stiffness.push_back(reference::nodal_stiffness(card, element, scene.model->as_built));
+        stiffness.push_back(reading.nodal_stiffness(card, element));
     TimeZero zero;
     zero.gap = range(card.secondary.gap);
     zero.depth = card.depth;

@@ -1,8 +1,12 @@
 // One interface through a few cycles, every number by hand: nodes over one square, k = 1000, m = 1, g = 0.5, DEPTH = 2.
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "reference/contract/make_contact.h"
 #include "reference/cycle/contact.h"
 #include "small_scene.h"
 
@@ -203,8 +207,8 @@ TEST(Contact, ToolDampingUsesTheContactStiffness) {
 // @manual departure D12
 TEST(Contact, AsBuiltANodeOnTheSurfaceHasNoDirection) {
     SmallScene small = over_a_square({{0.25, 0.125, 0.0}});
-    Hand page(small);
-    const ContactStep good = page.step(0, 0);
+    Hand documented(small);
+    const ContactStep good = documented.step(0, 0);
     EXPECT_NEAR(good.nodes[0].force.z(), 500, 1e-10);
     small.model().as_built.set(Departure::D12);
     Hand built(small);
@@ -221,6 +225,40 @@ TEST(Contact, InitialPenetrationsAreListedWithNodeAndValue) {
     EXPECT_EQ(found[0].node, small.blank_node(1));
     EXPECT_NEAR(found[0].penetration, 0.15, 1e-15);
     EXPECT_NEAR(found[0].distance, 0.35, 1e-15);
+}
+
+TEST(Contact, AnInterfaceThatIsNotThereIsNamed) {
+    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    for (const int interface : {-1, 1}) {
+        try {
+            make_contact(small.scene(), interface);
+            FAIL() << interface;
+        } catch (const std::out_of_range& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      fmt::format("there is no interface {}: the model has 1, counted from 0", interface));
+        }
+    }
+}
+
+TEST(Contact, APositionThatIsNotFiniteHasNoImpact) {
+    SmallScene small = over_a_square({{0.2, 0.1, 0.3}, {0.2, 0.1, 0.3}});
+    Hand hand(small);
+    hand.x(0).x() = std::nan("");
+    const ContactStep step = hand.step(0, 0);
+    EXPECT_EQ(step.nodes[0].decision.kind, Kind::none);
+    EXPECT_EQ(step.nodes[0].force, Vec3(0, 0, 0));
+    EXPECT_NEAR(step.nodes[1].force.z(), 200, 1e-10);
+}
+
+TEST(Contact, AFirstCallAfterTimeZeroIsAFirstImpact) {
+    for (const int inacti : {0, 1, 5, 6}) {
+        SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+        small.card().inacti.value = inacti;
+        Hand hand(small);
+        const ContactStep step = hand.step(1e-3, 1e-3);
+        EXPECT_NEAR(step.nodes[0].offset, 0.2, 1e-15) << "Inacti " << inacti;
+        EXPECT_EQ(step.nodes[0].elastic_force, 0.0);
+    }
 }
 
 }  // namespace

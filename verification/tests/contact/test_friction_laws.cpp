@@ -1,9 +1,11 @@
-// Friction laws and filters against numbers worked out beside them (page comments 12 to 15).
+// Friction laws and filters against numbers worked out beside them (manual page, comments 12 to 15).
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "reference/as_built/d06_d07_d28_filter.h"
+#include "reference/as_built/d10_exponential_law.h"
 #include "reference/contact/friction_filter.h"
 #include "reference/contact/friction_increment.h"
 #include "reference/contact/friction_law.h"
@@ -13,22 +15,14 @@
 namespace type21::reference {
 namespace {
 
-const AsBuilt page;
-
-AsBuilt with(Departure departure) {
-    AsBuilt set;
-    set.set(departure);
-    return set;
-}
-
 // @manual eq 9, 10; field Ifric, Fric, C1, C2, C3, C4, C5; comment 13
 TEST(FrictionLaw, ViscousCountsEachTermOnce) {
     const FrictionCoefficients f{0.1, {2e-3, 3e-4, 5e-6, 7e-6, 11e-8, 0}};
     // p = 10, s = 100: 0.1 + 0.02 + 0.03 + 0.005 + 0.0007 + 0.0011
-    EXPECT_NEAR(friction_coefficient(1, f, 10, 100, page), 0.1568, 1e-15);
+    EXPECT_NEAR(friction_coefficient(1, f, 10, 100), 0.1568, 1e-15);
     // A pulling damper makes the pressure negative; the law goes on and stops at its floor.
-    EXPECT_NEAR(friction_coefficient(1, f, -1e4, 0, page), 680.1, 1e-12);
-    EXPECT_EQ(friction_coefficient(1, {0.1, {2e-3, 0, 0, 0, 0, 0}}, -1e4, 0, page), 1e-30);
+    EXPECT_NEAR(friction_coefficient(1, f, -1e4, 0), 680.1, 1e-12);
+    EXPECT_EQ(friction_coefficient(1, {0.1, {2e-3, 0, 0, 0, 0, 0}}, -1e4, 0), 1e-30);
 }
 
 // @manual eq 11; field C6; comment 13
@@ -36,34 +30,34 @@ TEST(FrictionLaw, Darmstadt) {
     const FrictionCoefficients f{0.05, {1e-4, -0.01, 2e-3, -0.02, 0.3, -0.03}};
     // p = 10, s = 100: e^-1, e^-2, e^-3
     const double expected = 0.05 + 1e-2 * std::exp(-1.0) + 2e-2 * std::exp(-2.0) + 0.3 * std::exp(-3.0);
-    EXPECT_NEAR(friction_coefficient(2, f, 10, 100, page), expected, 1e-15);
+    EXPECT_NEAR(friction_coefficient(2, f, 10, 100), expected, 1e-15);
 }
 
 // @manual comment 13; field Ifric
 TEST(FrictionLaw, RenardMeetsItsFourCoefficients) {
-    const FrictionCoefficients f{0.9, {0.10, 0.08, 0.15, 0.05, 10, 100}};            // Fric is not in it
-    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 0, page), 0.10);                  // static
-    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 10, page), 0.15);                 // maximum at C5
-    EXPECT_NEAR(friction_coefficient(3, f, 0, 100, page), 0.05, 1e-15);              // minimum at C6
-    EXPECT_NEAR(friction_coefficient(3, f, 0, 1e9, page), 0.08, 1e-12);              // dynamic
-    EXPECT_NEAR(friction_coefficient(3, f, 0, 5, page), 0.10 + 0.05 * 0.75, 1e-15);  // x = 1/2: x (2 - x) = 3/4
-    EXPECT_NEAR(friction_coefficient(3, f, 0, 55, page), 0.10, 1e-15);               // y = 1/2: y^2 (3 - 2 y) = 1/2
-    EXPECT_NEAR(friction_coefficient(3, f, 0, 101, page), 0.08 - 1 / (1 / 0.03 + 1), 1e-15);
+    const FrictionCoefficients f{0.9, {0.10, 0.08, 0.15, 0.05, 10, 100}};      // Fric is not in it
+    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 0), 0.10);                  // static
+    EXPECT_DOUBLE_EQ(friction_coefficient(3, f, 0, 10), 0.15);                 // maximum at C5
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 100), 0.05, 1e-15);              // minimum at C6
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 1e9), 0.08, 1e-12);              // dynamic
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 5), 0.10 + 0.05 * 0.75, 1e-15);  // x = 1/2: x (2 - x) = 3/4
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 55), 0.10, 1e-15);               // y = 1/2: y^2 (3 - 2 y) = 1/2
+    EXPECT_NEAR(friction_coefficient(3, f, 0, 101), 0.08 - 1 / (1 / 0.03 + 1), 1e-15);
 }
 
 // @manual departure D10; field Ifric
 TEST(FrictionLaw, ExponentialDecaysFromFricToC1) {
     const FrictionCoefficients f{0.3, {0.1, 0.01, 0, 0, 0, 0}};
-    EXPECT_DOUBLE_EQ(friction_coefficient(4, f, 0, 0, page), 0.3);
-    EXPECT_NEAR(friction_coefficient(4, f, 0, 100, page), 0.1 + 0.2 * std::exp(-1.0), 1e-15);
+    EXPECT_DOUBLE_EQ(friction_coefficient(4, f, 0, 0), 0.3);
+    EXPECT_NEAR(friction_coefficient(4, f, 0, 100), 0.1 + 0.2 * std::exp(-1.0), 1e-15);
     // D10: 2 C1 - Fric at rest, here below the floor.
-    EXPECT_EQ(friction_coefficient(4, f, 0, 0, with(Departure::D10)), 1e-30);
-    EXPECT_NEAR(friction_coefficient(4, f, 0, 100, with(Departure::D10)), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
+    EXPECT_EQ(as_built::friction_coefficient(4, f, 0, 0), 1e-30);
+    EXPECT_NEAR(as_built::friction_coefficient(4, f, 0, 100), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
 }
 
 // @manual comment 12; field Fric, fric_ID
 TEST(FrictionLaw, CoulombIsFricAndAPairOfPartsGoesFirst) {
-    EXPECT_EQ(friction_coefficient(0, {0.12, {1, 1, 1, 1, 1, 1}}, 10, 10, page), 0.12);
+    EXPECT_EQ(friction_coefficient(0, {0.12, {1, 1, 1, 1, 1, 1}}, 10, 10), 0.12);
     Model model;
     Interface card;
     card.fric.value = 0.12;
@@ -80,6 +74,10 @@ TEST(FrictionLaw, CoulombIsFricAndAPairOfPartsGoesFirst) {
     EXPECT_EQ(friction_coefficients(model, card, 4, 3).fric, 0.35);
 }
 
+constexpr as_built::FilterDepartures d06{true, false, false};
+constexpr as_built::FilterDepartures d07{false, true, false};
+constexpr as_built::FilterDepartures d28{false, false, true};
+
 Interface filtered(int ifiltr, double xfreq) {
     Interface card;
     card.ifiltr.value = card.card_ifiltr = ifiltr;
@@ -90,15 +88,17 @@ Interface filtered(int ifiltr, double xfreq) {
 // @manual eq 13; field Ifiltr, Xfreq; comment 15; departure D06, D07
 TEST(FrictionFilter, Constants) {
     constexpr double turn = 2 * std::numbers::pi;
-    EXPECT_EQ(filter_constant(filtered(0, 0.3), 1e-6, page), 1.0);
-    EXPECT_EQ(filter_constant(filtered(1, 0.3), 1e-6, page), 0.3);
-    EXPECT_DOUBLE_EQ(filter_constant(filtered(2, 0.05), 1e-6, page), turn * 0.05);
-    EXPECT_EQ(filter_constant(filtered(2, 0.5), 1e-6, page), 1.0);
-    EXPECT_DOUBLE_EQ(filter_constant(filtered(2, 20), 1e-6, with(Departure::D07)), turn / 20);
-    EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 5e4), 1e-6, page), turn * 0.05);
-    EXPECT_EQ(filter_constant(filtered(3, 3e5), 1e-6, page), 1.0);
-    EXPECT_EQ(filter_constant(filtered(3, 5e4), 1e-6, with(Departure::D06)), 1.0);
-    EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 3e5), 1e-6, with(Departure::D06)), turn * 0.3);
+    EXPECT_EQ(filter_constant(filtered(0, 0.3), 1e-6), 1.0);
+    for (const int ifiltr : {1, 2, 3})
+        EXPECT_EQ(filter_constant(filtered(ifiltr, 0), 1e-6), 1.0) << "Xfreq 0 is no filter";
+    EXPECT_EQ(filter_constant(filtered(1, 0.3), 1e-6), 0.3);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(2, 0.05), 1e-6), turn * 0.05);
+    EXPECT_EQ(filter_constant(filtered(2, 0.5), 1e-6), 1.0);
+    EXPECT_DOUBLE_EQ(as_built::filter_constant(d07, filtered(2, 20), 1e-6), turn / 20);
+    EXPECT_DOUBLE_EQ(filter_constant(filtered(3, 5e4), 1e-6), turn * 0.05);
+    EXPECT_EQ(filter_constant(filtered(3, 3e5), 1e-6), 1.0);
+    EXPECT_EQ(as_built::filter_constant(d06, filtered(3, 5e4), 1e-6), 1.0);
+    EXPECT_DOUBLE_EQ(as_built::filter_constant(d06, filtered(3, 3e5), 1e-6), turn * 0.3);
 }
 
 // @manual departure D28
@@ -107,14 +107,14 @@ TEST(FrictionFilter, AsBuiltTheCardKeepsItsConstant) {
     card.friction_model = 0;
     card.card_ifiltr = 0;
     card.card_xfreq = 0;
-    EXPECT_EQ(filter_constant(card, 1e-6, page), 0.3);
-    EXPECT_EQ(filter_constant(card, 1e-6, with(Departure::D28)), 1.0);
+    EXPECT_EQ(filter_constant(card, 1e-6), 0.3);
+    EXPECT_EQ(as_built::filter_constant(d28, card, 1e-6), 1.0);
 }
 
 // Sticking at constant velocity the force after n cycles is n alpha k v dt: the filter only scales the increment.
 // @manual eq 12, 13; comment 14
 TEST(FrictionFilter, StepResponse) {
-    const double alpha = filter_constant(filtered(1, 0.3), 1e-3, page);
+    const double alpha = filter_constant(filtered(1, 0.3), 1e-3);
     Vec3 force = Vec3::Zero();
     for (int n = 1; n <= 10; ++n) {
         force = friction_force(force, alpha * 500, {2, 0, 0}, 1e-3, {0, 0, 1}, 1e9).force;

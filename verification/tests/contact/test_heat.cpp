@@ -5,6 +5,7 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gtest/gtest.h>
 
+#include "reference/as_built/d15_d16_d32_heat.h"
 #include "reference/contact/heat_exchange.h"
 #include "reference/cycle/contact.h"
 #include "reference/model/model.h"
@@ -16,8 +17,6 @@ namespace {
 using test::over_a_square;
 using test::SmallScene;
 
-const AsBuilt page;
-
 // @manual eq 14, 15; field Kthe, fct_IDK, AscaleK; comment 16
 TEST(Heat, ConductanceIsASeriesOfSheetAndContact) {
     EXPECT_DOUBLE_EQ(conduction_conductance(20, 0.0, 50), 20);
@@ -27,11 +26,9 @@ TEST(Heat, ConductanceIsASeriesOfSheetAndContact) {
 
 // @manual eq 20; field Fcond, Dcond; comment 22; departure D32
 TEST(Heat, DistanceScalesTheCoefficientInSeriesWithTheSheet) {
-    AsBuilt d32;
-    d32.set(Departure::D32);
-    EXPECT_DOUBLE_EQ(distance_conductance(20, 0.5, 0.5, 50, page), 1 / (0.01 + 0.1));
-    EXPECT_DOUBLE_EQ(distance_conductance(20, 0.5, 0.5, 50, d32), 0.5 / (0.01 + 0.05));
-    EXPECT_EQ(distance_conductance(20, 0.0, 0.5, 50, page), 0.0);
+    EXPECT_DOUBLE_EQ(distance_conductance(20, 0.5, 0.5, 50), 1 / (0.01 + 0.1));
+    EXPECT_DOUBLE_EQ(as_built::distance_conductance(20, 0.5, 0.5, 50), 0.5 / (0.01 + 0.05));
+    EXPECT_EQ(distance_conductance(20, 0.0, 0.5, 50), 0.0);
 }
 
 // @manual eq 17; field Frad; comment 17
@@ -47,15 +44,13 @@ TEST(Heat, Zones) {
     card.drad.value = 2.0;
     card.function_distance = 0;
     card.dcond.value = 1.0;
-    EXPECT_TRUE(heat_zones(card, 0.5, 0.5, page).conduction);
-    const HeatZones near = heat_zones(card, 0.9, 0.5, page);
+    EXPECT_TRUE(heat_zones(card, 0.5, 0.5).conduction);
+    const HeatZones near = heat_zones(card, 0.9, 0.5);
     EXPECT_TRUE(!near.conduction && near.distance && near.radiation);
-    const HeatZones far = heat_zones(card, 2.0, 0.5, page);
+    const HeatZones far = heat_zones(card, 2.0, 0.5);
     EXPECT_TRUE(!far.distance && far.radiation);
-    EXPECT_FALSE(heat_zones(card, 2.1, 0.5, page).any());
-    AsBuilt d15;
-    d15.set(Departure::D15);
-    EXPECT_TRUE(heat_zones(card, 2.1, 0.5, d15).radiation);
+    EXPECT_FALSE(heat_zones(card, 2.1, 0.5).any());
+    EXPECT_TRUE(as_built::heat_zones(card, 2.1, 0.5).radiation);
 }
 
 /// A node at a height over the square, made thermal by one shell; T_s 300, tool 500 unless the tool has temperatures.
@@ -180,12 +175,12 @@ TEST(Heat, WhatTheToolGivesTheBlankGets) {
 // @manual field Ithe
 TEST(Heat, WithoutItheNothingThermalIsThere) {
     SmallScene cold = over_a_square({{0.2, 0.1, 0.3}});
-    for (const EffectMemory& room : Contact(cold.scene(), 0).memory_by_effect())
-        EXPECT_NE(room.effect, Effect::heat);
+    for (const EffectMemory& memory : Contact(cold.scene(), 0).memory_by_effect())
+        EXPECT_NE(memory.effect, Effect::heat);
     Hot hot(0.3);
     bool found = false;
-    for (const EffectMemory& room : Contact(hot.small.scene(), 0).memory_by_effect())
-        found = found || room.effect == Effect::heat;
+    for (const EffectMemory& memory : Contact(hot.small.scene(), 0).memory_by_effect())
+        found = found || memory.effect == Effect::heat;
     EXPECT_TRUE(found);
 }
 

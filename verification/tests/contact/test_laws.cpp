@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/as_built/d01_d04_stiffness.h"
+#include "reference/as_built/d05_elastic_energy.h"
+#include "reference/as_built/d12_contact_normal.h"
+#include "reference/as_built/d13_tool_damping.h"
 #include "reference/contact/activity.h"
 #include "reference/contact/contact_geometry.h"
 #include "reference/contact/friction_increment.h"
@@ -46,30 +50,24 @@ TEST(Stiffness, ScaledAndBounded) {
     card.stfac.value = 0.3;
     card.stmin.value = 0;
     card.stmax.value = 1e30;
-    AsBuilt page;
-    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, page), 75600);
+    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000), 75600);
     card.stmax.value = 5e4;
-    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, page), 5e4);
+    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000), 5e4);
     card.stmin.value = card.stmax.value = 1e6;
-    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, page), 1e6);
-    AsBuilt d01;
-    d01.set(Departure::D01);
-    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, d01), 75600);
+    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000), 1e6);
+    EXPECT_DOUBLE_EQ(as_built::nodal_stiffness(card, 252000), 75600);
     card.istf.value = 1;
-    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000, page), 0.3);
+    EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000), 0.3);
 }
 
 // @manual departure D04
 TEST(Stiffness, OfTheFrictionIncrement) {
     Interface card;
-    AsBuilt page;
-    AsBuilt d04;
-    d04.set(Departure::D04);
-    EXPECT_EQ(friction_stiffness(card, 75600, 252000, page), 75600);
-    EXPECT_EQ(friction_stiffness(card, 75600, 252000, d04), 252000);
+    EXPECT_EQ(friction_stiffness(card, 75600, 252000), 75600);
+    EXPECT_EQ(as_built::friction_stiffness(card, 75600, 252000), 252000);
     card.istf.value = 1;
-    EXPECT_EQ(friction_stiffness(card, 5e4, 252000, page), 5e4);
-    EXPECT_EQ(friction_stiffness(card, 5e4, 252000, d04), 1.0);
+    EXPECT_EQ(friction_stiffness(card, 5e4, 252000), 5e4);
+    EXPECT_EQ(as_built::friction_stiffness(card, 5e4, 252000), 1.0);
 }
 
 // @manual departure D05
@@ -80,9 +78,9 @@ TEST(NormalForce, ForceAndItsIntegral) {
     EXPECT_NEAR((elastic_energy(3.0, 0.25 + 0.125) - elastic_energy(3.0, 0.25 - 0.125)) / 0.25,
                 elastic_force(3.0, 0.25), 1e-15);
     // D05: Stfac ^ (p^2), 1 at p = 0, 0 where k = 0.
-    EXPECT_DOUBLE_EQ(elastic_energy_as_built(5e4, 5e4, 0.5), std::pow(5e4, 0.25));
-    EXPECT_EQ(elastic_energy_as_built(5e4, 5e4, 0.0), 1.0);
-    EXPECT_EQ(elastic_energy_as_built(5e4, 0.0, 0.5), 0.0);
+    EXPECT_DOUBLE_EQ(as_built::elastic_energy(5e4, 5e4, 0.5), std::pow(5e4, 0.25));
+    EXPECT_EQ(as_built::elastic_energy(5e4, 5e4, 0.0), 1.0);
+    EXPECT_EQ(as_built::elastic_energy(5e4, 0.0, 0.5), 0.0);
 }
 
 // @manual field VISs
@@ -108,6 +106,16 @@ TEST(Friction, SticksSlipsAndTurnsWithTheSurface) {
     // No limit, no force.
     EXPECT_EQ(friction_force({3, 0, 0}, 0, Vec3::Zero(), 0.1, z, 0.0).force, Vec3(0, 0, 0));
     EXPECT_FALSE(friction_force(Vec3::Zero(), 0, Vec3::Zero(), 0.1, z, 0.0).slips);
+}
+
+// @manual departure D13
+TEST(ToolDamping, StiffnessOfTheContactOrOfTheTimeStep) {
+    const ToolStiffness contact{1, 2};
+    const ToolStiffness step{3, 4};
+    EXPECT_EQ(tool_damping_stiffness(contact, step).translation, 1);
+    EXPECT_EQ(tool_damping_stiffness(contact, step).rotation, 2);
+    EXPECT_EQ(as_built::tool_damping_stiffness(contact, step).translation, 3);
+    EXPECT_EQ(as_built::tool_damping_stiffness(contact, step).rotation, 4);
 }
 
 TEST(ToolDamping, ShareOfTheCritical) {
@@ -145,10 +153,10 @@ TEST(ContactGeometry, DistanceRunsAlongTheInterpolatedNormal) {
     EXPECT_NEAR((geometry.normal - Vec3(0.5, 0, 1) / std::sqrt(1.25)).norm(), 0, 1e-15);
     EXPECT_NEAR((geometry.point - Vec3(0.5, 0, 0)).norm(), 0, 1e-15);
     // As built agrees away from the surface, and has no direction on it.
-    const auto built = contact_geometry_as_built(p, t, projection->weights);
+    const auto built = as_built::contact_geometry(p, t, projection->weights);
     EXPECT_NEAR((built.normal - geometry.normal).norm(), 0, 1e-14);
     EXPECT_NEAR(built.distance, geometry.distance, 1e-15);
-    const auto on_it = contact_geometry_as_built({0.5, 0, 0}, t, {0.5, 0.0});
+    const auto on_it = as_built::contact_geometry({0.5, 0, 0}, t, {0.5, 0.0});
     EXPECT_EQ(on_it.normal, Vec3(0, 0, 0));
     EXPECT_EQ(on_it.distance, 0.0);
 }

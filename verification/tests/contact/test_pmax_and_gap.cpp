@@ -4,6 +4,8 @@
 #include <gsl/gsl_integration.h>
 #include <gtest/gtest.h>
 
+#include "reference/as_built/d30_d33_gap.h"
+#include "reference/as_built/d35_d37_limits.h"
 #include "reference/contact/adaptive_data.h"
 #include "reference/contact/deletion.h"
 #include "reference/contact/gap_growth.h"
@@ -70,20 +72,26 @@ Interface growing(double fscale, double gapmin, double gapmax) {
 
 // @manual eq 1, 2, 3, 4; field Fscalegap, Gapmin, Gapmax, Igap; comment 2; departure D30
 TEST(GapGrowth, FollowsTheThickness) {
-    const AsBuilt page;
     const Interface card = growing(0.8, 0.1, 0.9);
     // t0 = 2, now 2.3: 0.8 (2 / 2 + 0.3 / 2) = 0.92, clipped to 0.9
-    const NodalGap gap = grown_gap(card, 2.0, 0.8, 0.3, page);
+    const NodalGap gap = grown_gap(card, {2.0, 0.3, 0.8});
     EXPECT_NEAR(gap.raw, 0.92, 1e-15);
     EXPECT_EQ(gap.clipped, 0.9);
-    EXPECT_EQ(grown_gap(card, 2.0, 0.8, -3.0, page).clipped, 0.1);  // g_s stops at 0, g at Gapmin
-    EXPECT_EQ(grown_gap(card, 2.0, 0.8, -3.0, page).raw, 0.0);
-    // D30 starts from the clipped gap: with Gapmax 0.7 at time 0 the page keeps 0.7 until the sheet has lost 0.25 ...
-    AsBuilt d30;
-    d30.set(Departure::D30);
+    EXPECT_EQ(grown_gap(card, {2.0, -3.0, 0.8}).clipped, 0.1);  // g_s stops at 0, g at Gapmin
+    EXPECT_EQ(grown_gap(card, {2.0, -3.0, 0.8}).raw, 0.0);
+    // D30 starts from the bounded gap: with Gapmax 0.7 at time 0 the gap stays 0.7 until the sheet has lost 0.25 ...
     const Interface low = growing(0.8, 0.0, 0.7);
-    EXPECT_EQ(grown_gap(low, 2.0, 0.7, -0.2, page).clipped, 0.7);           // 0.8 - 0.08 = 0.72
-    EXPECT_NEAR(grown_gap(low, 2.0, 0.7, -0.2, d30).clipped, 0.62, 1e-15);  // 0.7 - 0.08
+    EXPECT_EQ(grown_gap(low, {2.0, -0.2, 0.7}).clipped, 0.7);                      // 0.8 - 0.08 = 0.72
+    EXPECT_NEAR(as_built::grown_gap(low, {2.0, -0.2, 0.7}).clipped, 0.62, 1e-15);  // 0.7 - 0.08
+}
+
+// @manual departure D33
+TEST(GapGrowth, ANodesOwnGapDecidesContact) {
+    Interface card = growing(1.0, 0.1, 0.9);
+    card.largest_gap = 0.6;
+    EXPECT_EQ(search_gap(card, {0.5, 0.5}), 0.5);
+    EXPECT_EQ(as_built::search_gap(card, {0.5, 0.5}), 0.6);
+    EXPECT_EQ(as_built::search_gap(card, {1.2, 0.9}), 0.9);
 }
 
 // @manual field Idel; comment 2
@@ -120,26 +128,23 @@ TEST(AdaptiveData, RadiusFromTheTurningOfNormals) {
 }
 
 TEST(AdaptiveData, WhenToDivide) {
-    const AsBuilt page;
-    AsBuilt d37;
-    d37.set(Departure::D37);
     Interface card;
     card.iadm.value = 1;
     card.nradm.value = 3;
     card.padm.value = 0.5;
     card.angladm.value = 30;
     AdaptiveElement element{4.0, std::cos(0.6), 0.6, 3.0, false};
-    EXPECT_FALSE(divides(card, element, page));  // 4 > 3
-    EXPECT_TRUE(divides(card, element, d37));    // 4 < 4.24
+    EXPECT_FALSE(divides(card, element));                                   // 4 > 3
+    EXPECT_TRUE(divides(card, element, as_built::division_radius_factor));  // 4 < 4.24
     card.iadm.value = 2;
-    EXPECT_TRUE(divides(card, element, page));  // 4 < 9
+    EXPECT_TRUE(divides(card, element));  // 4 < 9
     element.radius = 10;
-    EXPECT_TRUE(divides(card, element, page));  // 0.6 rad > 30 deg and 0.6 > Padm
+    EXPECT_TRUE(divides(card, element));  // 0.6 rad > 30 deg and 0.6 > Padm
     element.penetration = 0.4;
-    EXPECT_FALSE(divides(card, element, page));
+    EXPECT_FALSE(divides(card, element));
     element.penetration = 0.6;
     element.cosine = std::cos(0.5);
-    EXPECT_FALSE(divides(card, element, page));
+    EXPECT_FALSE(divides(card, element));
 }
 
 }  // namespace

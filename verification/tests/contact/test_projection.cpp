@@ -1,4 +1,4 @@
-// Each expected value is worked out by hand on a triangle of two unit legs; formulation 3.
+// Each expected value is worked out by hand on a triangle of two unit legs (chapter 3 of the formulation).
 #include <gtest/gtest.h>
 
 #include "reference/contact/projection.h"
@@ -16,10 +16,10 @@ SubTriangle<double> flat(const Vec3& na = up, const Vec3& nb = up, const Vec3& n
     return t;
 }
 
-const ProjectionLimits<double> page;
+const ProjectionLimits<double> documented;
 
 TEST(Projection, WeightsAndHeightOnAFlatTriangle) {
-    const auto p = project<double>({0.25, 0.5, 0.3}, flat(), page);
+    const auto p = project<double>({0.25, 0.5, 0.3}, flat(), documented);
     ASSERT_TRUE(p);
     EXPECT_DOUBLE_EQ(p->weights.b, 0.25);
     EXPECT_DOUBLE_EQ(p->weights.c, 0.5);
@@ -30,7 +30,7 @@ TEST(Projection, WeightsAndHeightOnAFlatTriangle) {
 // Normals that fan out: at height h the triangle is A' = A + n_A h, ... With n_B = (1,0,1) the corner B' = (1 + h, 0,
 // h). P = (0.6, 0, 0.2): b' = 0.6 / 1.2 = 0.5, n = ((0,0,1) + (1,0,1)) / 2 = (0.5, 0, 1), Q = P - 0.2 n = (0.5, 0, 0).
 TEST(Projection, FollowsTheInterpolatedNormal) {
-    const auto p = project<double>({0.6, 0.0, 0.2}, flat(up, {1, 0, 1}, up), page);
+    const auto p = project<double>({0.6, 0.0, 0.2}, flat(up, {1, 0, 1}, up), documented);
     ASSERT_TRUE(p);
     EXPECT_NEAR(p->weights.b, 0.5, 1e-15);
     EXPECT_NEAR(p->weights.c, 0.0, 1e-15);
@@ -38,16 +38,16 @@ TEST(Projection, FollowsTheInterpolatedNormal) {
 }
 
 TEST(Projection, OnePercentOverTheEdgeIsStillInside) {
-    EXPECT_TRUE(project<double>({-0.01, 0.3, 0.0}, flat(), page));
-    EXPECT_FALSE(project<double>({-0.0100001, 0.3, 0.0}, flat(), page));
-    EXPECT_TRUE(project<double>({0.5, 0.50999999, 0.0}, flat(), page));
-    EXPECT_FALSE(project<double>({0.5, 0.5100001, 0.0}, flat(), page));
+    EXPECT_TRUE(project<double>({-0.01, 0.3, 0.0}, flat(), documented));
+    EXPECT_FALSE(project<double>({-0.0100001, 0.3, 0.0}, flat(), documented));
+    EXPECT_TRUE(project<double>({0.5, 0.50999999, 0.0}, flat(), documented));
+    EXPECT_FALSE(project<double>({0.5, 0.5100001, 0.0}, flat(), documented));
 }
 
 TEST(Projection, ANormalThatLeansOverRejectsOffThePlaneOnly) {
     const auto leaning = flat(up, {1, 0, 0}, up);  // <n_B, N> = 0
-    EXPECT_FALSE(project<double>({0.25, 0.25, 0.1}, leaning, page));
-    EXPECT_TRUE(project<double>({0.25, 0.25, 0.0}, leaning, page));  // H = 0: no lift is needed
+    EXPECT_FALSE(project<double>({0.25, 0.25, 0.1}, leaning, documented));
+    EXPECT_TRUE(project<double>({0.25, 0.25, 0.0}, leaning, documented));  // H = 0: no lift is needed
 }
 
 // D35: the same triangle, lifted with 1e-30 in place of <n_B, N>, sends B' to 1e29: accepted only near b = 0.
@@ -56,18 +56,18 @@ TEST(Projection, AsBuiltLiftsALeaningNormal) {
     ProjectionLimits<double> as_built;
     as_built.lift_leaning = true;
     EXPECT_TRUE(project<double>({0.0, 0.25, 0.1}, flat(up, {1, 0, 0}, up), as_built));
-    EXPECT_FALSE(project<double>({0.0, 0.25, 0.1}, flat(up, {1, 0, 0}, up), page));
+    EXPECT_FALSE(project<double>({0.0, 0.25, 0.1}, flat(up, {1, 0, 0}, up), documented));
 }
 
 TEST(Projection, ATurnedOverLiftRejects) {
     // n_B = (-1, 0, 1): at height 2 the corner B' = (-1, 0, 2) has passed A' = (0, 0, 2).
-    EXPECT_FALSE(project<double>({-0.5, 0.1, 2.0}, flat(up, {-1, 0, 1}, up), page));
+    EXPECT_FALSE(project<double>({-0.5, 0.1, 2.0}, flat(up, {-1, 0, 1}, up), documented));
 }
 
 TEST(Projection, ASubTriangleWithoutAreaRejects) {
     SubTriangle<double> needle{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, up, up, up, Vec3::Zero()};
-    EXPECT_FALSE(project<double>({0.5, 0, 0.1}, needle, page));
-    EXPECT_FALSE(project<double>({0.5, 0, 0.0}, needle, page));
+    EXPECT_FALSE(project<double>({0.5, 0, 0.1}, needle, documented));
+    EXPECT_FALSE(project<double>({0.5, 0, 0.0}, needle, documented));
 }
 
 TEST(Approach, DistanceToTheClippedPoint) {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/as_built/d34_reach_box.h"
 #include "reference/contact/candidates.h"
 #include "reference/contact/exact_sum.h"
-#include "reference/contact/reach_box.h"
 #include "reference/contact/retained_impact.h"
 #include "small_scene.h"
 
@@ -96,11 +96,11 @@ TEST(ReachBox, GrowsByOnePercentOfItsSize) {
     square.node = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};
     square.normal = {Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 1)};
     const Mat3 axes = Mat3::Identity();
-    EXPECT_TRUE(in_reach_box({1.02, 0, 0}, square, axes, 0.5, 1.0));  // 1 + 0.01 * 2, closed
-    EXPECT_FALSE(in_reach_box({1.0201, 0, 0}, square, axes, 0.5, 1.0));
-    EXPECT_TRUE(in_reach_box({0, 0, 0.515}, square, axes, 0.5, 1.0));  // 0.5 + 0.01 * 1.5
-    EXPECT_FALSE(in_reach_box({0, 0, 0.5151}, square, axes, 0.5, 1.0));
-    EXPECT_FALSE(in_reach_box({0, 0, -1.0151}, square, axes, 0.5, 1.0));
+    EXPECT_TRUE(as_built::in_reach_box({1.02, 0, 0}, square, axes, 0.5, 1.0));  // 1 + 0.01 * 2, closed
+    EXPECT_FALSE(as_built::in_reach_box({1.0201, 0, 0}, square, axes, 0.5, 1.0));
+    EXPECT_TRUE(as_built::in_reach_box({0, 0, 0.515}, square, axes, 0.5, 1.0));  // 0.5 + 0.01 * 1.5
+    EXPECT_FALSE(as_built::in_reach_box({0, 0, 0.5151}, square, axes, 0.5, 1.0));
+    EXPECT_FALSE(as_built::in_reach_box({0, 0, -1.0151}, square, axes, 0.5, 1.0));
 }
 
 TEST(ExactSum, IsRoundedOnceAndKnowsNoOrder) {

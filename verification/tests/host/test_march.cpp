@@ -148,11 +148,11 @@ TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
     small.fix(0, all_fixed);
     small.fix(small.blank_node(0), all_fixed);
     small.model().engine.end_time = 0.0025;
-    const auto page = run(small);  // F = 100, dt = 1e-3, cycles 0, 1, 2: w = dt/2, dt, dt
-    ASSERT_EQ(page.size(), 3u);
-    EXPECT_NEAR(page[0].totals.normal.z(), -0.05, 1e-15);
-    EXPECT_NEAR(page[2].totals.normal.z(), -0.25, 1e-15);
-    EXPECT_NEAR(page[2].reaction[static_cast<size_t>(small.blank_node(0))].z(), -0.25, 1e-15);
+    const auto documented = run(small);  // F = 100, dt = 1e-3, cycles 0, 1, 2: w = dt/2, dt, dt
+    ASSERT_EQ(documented.size(), 3u);
+    EXPECT_NEAR(documented[0].totals.normal.z(), -0.05, 1e-15);
+    EXPECT_NEAR(documented[2].totals.normal.z(), -0.25, 1e-15);
+    EXPECT_NEAR(documented[2].reaction[static_cast<size_t>(small.blank_node(0))].z(), -0.25, 1e-15);
     small.model().as_built.set(Departure::D25);
     const auto built = run(small);  // 0, dt/2, dt
     EXPECT_EQ(built[0].totals.normal.z(), 0.0);

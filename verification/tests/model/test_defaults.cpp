@@ -67,7 +67,7 @@ TEST(Defaults, AGivenValueStays) {
     const Interface it =
         with({{"VISs", "0.2"}, {"Stfac", "3.0"}, {"Bumult", "4.0"}, {"Stmin", "2.0"}, {"Stmax", "5.0"}});
     EXPECT_EQ(it.viss, 0.2);
-    EXPECT_EQ(it.stfac, 3.0) << "larger than 1 is allowed (page, comment 6)";
+    EXPECT_EQ(it.stfac, 3.0) << "larger than 1 is allowed (manual page, comment 6)";
     EXPECT_EQ(it.bumult, 4.0);
     EXPECT_EQ(it.stmin, 2.0);
     EXPECT_EQ(it.stmax, 5.0);

@@ -116,10 +116,10 @@ TEST(FrictionRules, XfreqThatFrictionModelReplacesIsNotJudgedButForD28) {
     model.friction_models.push_back({});
     model.friction_models[0].id = 9;
     const Fields fields{{"fric_ID", "9"}, {"Ifiltr", "1"}, {"Xfreq", "3.0"}};
-    const Problems page = problems_of(fields, model);
-    EXPECT_EQ(page.error_count(), 0);
-    EXPECT_EQ(about(page, "Xfreq", warning).size(), 1u);
-    EXPECT_EQ(about(page, "Ifiltr", warning).size(), 1u);
+    const Problems documented = problems_of(fields, model);
+    EXPECT_EQ(documented.error_count(), 0);
+    EXPECT_EQ(about(documented, "Xfreq", warning).size(), 1u);
+    EXPECT_EQ(about(documented, "Ifiltr", warning).size(), 1u);
     model.as_built.set(Departure::D28);
     const Problems built = problems_of(fields, model);
     EXPECT_EQ(about(built, "Xfreq", error).size(), 1u);
@@ -136,7 +136,7 @@ TEST(FrictionFunction, IsLinkedAndItsScaleIsOne) {
         resolve_fields(model, {{"Ithe", "1"}, {"Kthe", "2.0"}, {"Tint", "9.0"}, {"fct_IDF", "4"}}, problems);
     EXPECT_TRUE(problems.list().empty()) << to_text(problems.list().front());
     EXPECT_EQ(it.function_friction, 1);
-    EXPECT_EQ(it.fric, 1.0) << "Fric becomes the scale of the function: 0 means 1 (page)";
+    EXPECT_EQ(it.fric, 1.0) << "Fric becomes the scale of the function: 0 means 1 (manual page, comment 12)";
     EXPECT_EQ(it.fric.origin.kind, Origin::Kind::fallback);
     EXPECT_EQ(it.ascalef, 1.0);
     model.interfaces.clear();

@@ -163,7 +163,7 @@ TEST(HeatDistances, OfConductionBeyondTheGap) {
     const Interface it = with(hot({{"Fcond", "4"}, {"Dcond", "3.0"}, {"Drad", "7.0"}}));
     EXPECT_EQ(it.drad, 3.0);
     EXPECT_EQ(it.dcond, 3.0);
-    // Frad without Drad: the same (page, comment 23).
+    // Frad without Drad: the same (manual page, comment 23).
     EXPECT_EQ(with(hot({{"Frad", "1e-9"}, {"Fcond", "4"}, {"Dcond", "3.0"}})).drad, 3.0);
     // Neither: both are Drad's default.
     const Interface none = with(hot({{"Fcond", "4"}}));

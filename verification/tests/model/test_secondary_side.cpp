@@ -248,8 +248,8 @@ TEST(Gap, D29TakesThePartOfTheLastSegment) {
     EXPECT_DOUBLE_EQ(it.secondary.gap[left], 1.5);
     EXPECT_DOUBLE_EQ(it.secondary.gap[middle], 0.7);
     EXPECT_DOUBLE_EQ(it.secondary.gap[center], 0.7);
-    const Interface page = with({{"Igap", "1"}}, {}, model);
-    EXPECT_DOUBLE_EQ(page.secondary.gap[middle], 1.5);
+    const Interface documented = with({{"Igap", "1"}}, {}, model);
+    EXPECT_DOUBLE_EQ(documented.secondary.gap[middle], 1.5);
 }
 
 TEST(Gap, D29LowestNodesOfTheBlankPolluteTheOthers) {
@@ -281,8 +281,8 @@ TEST(Gap, D29TriangleRepeatsItsThirdNodeAsTheFourth) {
 TEST(Gap, D33SearchesWithTheLargestGap) {
     // Gaps 0.5 and 0.7 with Gapmin 0.6: g0 = 0.6, 0.7; G = 0.7; search: max(min(g_s, Gapmax), G) = 0.7 everywhere.
     const Fields fields{{"Igap", "1"}, {"Gapmin", "0.6"}};
-    const Interface page = with(fields);
-    EXPECT_DOUBLE_EQ(page.secondary.search_gap[left], 0.6);
+    const Interface documented = with(fields);
+    EXPECT_DOUBLE_EQ(documented.secondary.search_gap[left], 0.6);
     const Interface built = with(fields, {Departure::D33});
     EXPECT_DOUBLE_EQ(built.secondary.search_gap[left], 0.7);
     EXPECT_DOUBLE_EQ(built.secondary.search_gap[right], 0.7);

@@ -1,11 +1,15 @@
 // Reference and optimized contact stepped with the same motion: the same decisions, forces equal to a few ulps.
+#include <memory>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "optimized/contact.h"
 #include "optimized/search/search.h"
-#include "reference/contact/reach_box.h"
+#include "reference/as_built/d34_reach_box.h"
+#include "reference/contract/make_contact.h"
 #include "reference/cycle/contact.h"
 #include "reference/deck/deck.h"
 #include "reference/host/march.h"
@@ -44,7 +48,8 @@ class Truth {
         boxes_.on = model_.as_built.has(Departure::D34);
         boxes_.proximity = proximity_;
         if (card_.tool_rotates)
-            boxes_.axes = reference::reach_box_axes(model_.rigid_bodies[static_cast<size_t>(card_.tool)], true);
+            boxes_.axes =
+                reference::as_built::reach_box_axes(model_.rigid_bodies[static_cast<size_t>(card_.tool)], true);
     }
     bool agrees(const Decision& d, const Vec3& y, double gap) const {
         const optimized::ContactReach window{gap, card_.depth, proximity_};
@@ -179,6 +184,20 @@ TEST(LockstepAsBuilt, AllDeparturesTakeTheSameDecisions) {
         const Comparison c = lockstep(scene_of(name, AsBuilt::all()), false);
         EXPECT_GT(c.closed, 0) << name;
         EXPECT_EQ(c.differ, 0) << name << "; in " << c.not_the_truth << " the optimized contact is wrong";
+    }
+}
+
+TEST(OptimizedContact, AnInterfaceThatIsNotThereIsNamed) {
+    Scene scene;
+    scene.model = std::make_shared<const ContactModel>();
+    for (const int interface : {-1, 0}) {
+        try {
+            optimized::make_contact(scene, interface);
+            FAIL() << interface;
+        } catch (const std::out_of_range& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      "there is no interface " + std::to_string(interface) + ": the model has 0, counted from 0");
+        }
     }
 }
 

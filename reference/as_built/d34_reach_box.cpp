@@ -1,8 +1,8 @@
-#include "reference/contact/reach_box.h"
+#include "reference/as_built/d34_reach_box.h"
 
 #include <Eigen/Eigenvalues>
 
-namespace type21::reference {
+namespace type21::reference::as_built {
 
 bool in_reach_box(const Vec3& y, const SegmentShape<double>& segment, const Mat3& axes, double reach, double depth) {
     Eigen::AlignedBox3d box;
@@ -23,4 +23,4 @@ Mat3 reach_box_axes(const RigidBody& tool, bool tool_rotates) {
     return Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvectors();
 }
 
-}  // namespace type21::reference
+}  // namespace type21::reference::as_built

@@ -59,7 +59,7 @@ struct KeywordMatch {
     std::size_t words = 1;
 };
 
-/// The longest entry of the vocabulary that the card's words begin with.
+/// The longest known keyword that the card's words begin with.
 KeywordMatch match(const Card& card);
 
 /// "/MAT/ELAST" of "/MAT/ELAST/3/1": the keyword without its ids.

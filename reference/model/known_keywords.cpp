@@ -1,4 +1,4 @@
-#include "reference/model/vocabulary.h"
+#include "reference/model/known_keywords.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@ namespace type21 {
 
 namespace {
 
-const std::map<std::string, Keyword, std::less<>>& vocabulary() {
+const std::map<std::string, Keyword, std::less<>>& known_keywords() {
     static const std::map<std::string, Keyword, std::less<>> table{
         {"BEGIN", Keyword::begin},
         {"UNIT", Keyword::unit},
@@ -93,7 +93,8 @@ KeywordMatch match(const Card& card) {
         std::string key = card.words[0];
         for (std::size_t i = 1; i < words; ++i)
             key += "/" + card.words[i];
-        if (const auto found = vocabulary().find(key); found != vocabulary().end()) return {found->second, words};
+        if (const auto found = known_keywords().find(key); found != known_keywords().end())
+            return {found->second, words};
     }
     return {Keyword::unsupported, 1};
 }
