@@ -81,11 +81,28 @@ need_space() {
     ((free >= $2)) || fail 1 "the disk of $1 is too full for $3: $free MB free, $2 MB needed" "Make room and start again."
 }
 
+# system_name: "debian-12", "ubuntu-24.04"; a system that is neither is taken for Debian 12.
+system_name() {
+    local ID="" VERSION_ID=""
+    # shellcheck source=/dev/null
+    if [[ -r "${OS_RELEASE:-/etc/os-release}" ]]; then . "${OS_RELEASE:-/etc/os-release}"; fi
+    printf '%s-%s' "${ID:-debian}" "${VERSION_ID:-12}"
+}
+
+# listed_packages: "name group command reason" of every package, by the name that this system has for it.
+listed_packages() {
+    awk -v here="$(system_name)" '
+        NR == FNR { if ($1 == "@" && $2 == here) other[$3] = $4; next }
+        /^[#@]/ || !NF { next }
+        $1 in other { if (other[$1] == "-") next; $1 = other[$1] }
+        { print }' "$packages_file" "$packages_file"
+}
+
 # packages_of GROUP...: names of the packages of these groups.
-packages_of() { awk -v groups=" $* " '!/^#/ && NF && index(groups, " " $2 " ") { print $1 }' "$packages_file"; }
+packages_of() { listed_packages | awk -v groups=" $* " 'index(groups, " " $2 " ") { print $1 }'; }
 
 # why PACKAGE: its reason from the list.
-why() { awk -v name="$1" '$1 == name { $1 = $2 = $3 = ""; sub(/^ +/, ""); print }' "$packages_file"; }
+why() { listed_packages | awk -v name="$1" '$1 == name { $1 = $2 = $3 = ""; sub(/^ +/, ""); print }'; }
 
 is_installed() { [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]; }
 
@@ -93,9 +110,9 @@ is_installed() { [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)"
 check_commands() {
     local name group command reason absent=()
     while read -r name group command reason; do
-        [[ "$name" == \#* || -z "$name" || " $* " != *" $group "* || "$command" == - ]] && continue
+        [[ " $* " != *" $group "* || "$command" == - ]] && continue
         command -v "$command" >/dev/null || absent+=("$command: $reason")
-    done <"$packages_file"
+    done < <(listed_packages)
     ((${#absent[@]} == 0)) || fail 1 "these commands are missing:" "${absent[@]}" \
         "Install them with the means of this system; scripts/packages.txt has their Debian names."
 }
@@ -108,7 +125,7 @@ ensure_packages() {
         return
     fi
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        say "      this is not Debian: packages are left as they are, what is there is used"
+        say "      this is neither Debian nor Ubuntu: packages are left as they are, what is there is used"
         check_commands "$@"
         step_done "commands found; libraries are looked for by CMake"
         return
@@ -154,7 +171,7 @@ install_missing() {
     done
     if ((${#unknown[@]})); then
         fail 1 "apt knows no package of this name:" "${unknown[@]}" \
-            "Check the network and that /etc/apt/sources.list or /etc/apt/sources.list.d names 'bookworm main'," \
+            "Check the network and that /etc/apt/sources.list or /etc/apt/sources.list.d names the whole archive (Debian: main; Ubuntu: universe, too)," \
             "or install them otherwise and use --no-install."
     fi
     say "      apt-get install: some minutes on a fresh machine"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "effects.h"
 #include "mesh.h"
 #include "origin.h"
 
@@ -25,7 +26,13 @@ struct SecondarySide {
     int size() const { return static_cast<int>(node.size()); }
 };
 
-/// Names follow the manual page; integers are flags, reals are in the deck's work units.
+/// Names follow the manual page; integers are flags, reals are in the work units of the model.
+///
+/// A field that is not given has the default of the card, so that an Interface may also be filled by hand. What no
+/// default can know must be given then: the two surfaces, the tool, Gapmin or the gaps of `secondary`, DEPTH,
+/// `main_nodes`, `largest_gap`, and the areas, stiffnesses and masses of `secondary` that its effects read. A link
+/// (`sensor`, `function_friction`, ...) is given together with the id of the field that it belongs to (`sens_id`,
+/// `fct_idf`, ...).
 struct Interface {
     Id id = 0;
     std::string title;
@@ -46,33 +53,35 @@ struct Interface {
     Sourced<Id> surf_secondary, surf_main;
     Sourced<int> istf, ithe, igap, idel, invn, iadm;
     // line 2
-    Sourced<double> fscalegap, gapmax, depth, pmax;
+    Sourced<double> fscalegap{1.0}, gapmax{no_limit};
+    Sourced<double> depth;  ///< [length]; a deck takes 0 for the larger of largest_gap and shortest_edge
+    Sourced<double> pmax{no_limit};
     Sourced<int> itlim;
     // line 3
-    Sourced<double> stmin, stmax, pskid;
+    Sourced<double> stmin, stmax{no_limit}, pskid{no_limit};
     // line 4
-    Sourced<double> stfac, fric, gapmin, tstart, tstop;
+    Sourced<double> stfac{1.0}, fric, gapmin, tstart, tstop{no_limit};
     // line 5
     Sourced<int> ibc;  ///< 4 x + 2 y + z
     Sourced<int> inacti;
-    Sourced<double> viss, bumult;
+    Sourced<double> viss{1.0}, bumult{0.20};
     // line 6
     Sourced<int> ifric, ifiltr;
     Sourced<double> xfreq;
     int card_ifiltr = 0;  ///< as the card has them, also where /FRICTION replaces them (D28)
     double card_xfreq = 0;
     Sourced<Id> sens_id, fct_idf;
-    Sourced<double> ascalef;
+    Sourced<double> ascalef{1.0};
     Sourced<Id> fric_id;
     // lines 7, 8
     std::array<Sourced<double>, 6> c;
     // line 9
-    Sourced<int> nradm;
-    Sourced<double> padm, angladm;
+    Sourced<int> nradm{3};  ///< read with Iadm 2 only
+    Sourced<double> padm{1.0}, angladm;
     // line 10
     Sourced<double> kthe;
     Sourced<Id> fct_idk;
-    Sourced<double> ascalek, tint;
+    Sourced<double> ascalek{1.0}, tint;
     Sourced<int> ithe_form;
     // line 11
     Sourced<double> frad, drad, fheat;

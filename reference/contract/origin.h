@@ -17,7 +17,7 @@ struct Origin {
 template <class T>
 struct Sourced {
     T value{};
-    Origin origin;
+    Origin origin{};
     operator const T&() const { return value; }  // NOLINT: reads as the value it is
 };
 

@@ -27,7 +27,7 @@ struct Card {
 
 /// The starter deck NAME_0000.rad and, if there is one, the engine deck NAME_0001.rad beside it.
 struct Deck {
-    std::vector<std::string> files;                         ///< every file read, #include'd ones too
+    std::vector<std::string> files;                         ///< every file read, included ones too
     std::vector<std::shared_ptr<const std::string>> texts;  ///< what the lines point into
     std::vector<Card> starter;
     std::vector<Card> engine;

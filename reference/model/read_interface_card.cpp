@@ -78,6 +78,8 @@ void read_field(CardReader& card, const InterfaceField& field, int version, Inte
     const bool blank = card.blank(line, field.first, field.last);
     Origin origin{Origin::Kind::deck, card.line_number(line), ""};
     if (version < field.since) {
+        // As if its columns were blank: the default takes the place of 0 afterwards.
+        with_field(interface, field, [](auto& value) { value.value = {}; });
         origin = {Origin::Kind::absent, 0, fmt::format("read from version {} on", field.since)};
         if (!blank)
             card.warning(data_line(field.line), field.name, card.text(line, field.first, field.last),

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
@@ -9,6 +10,7 @@
 #include "verification/criteria/cases/verify_cases.h"
 #include "verification/explain/account_json.h"
 #include "verification/explain/field_help.h"
+#include "verification/explain/glossary.h"
 
 namespace type21::cli {
 namespace {
@@ -52,13 +54,16 @@ std::vector<CaseCover> covers_of(const std::string& folder) {
     return covers;
 }
 
-/// The text of a field or of a departure; nothing if the word is neither.
+/// A field of the card, a departure or a term of the formulation; nothing where the word is none of them.
 std::optional<std::string> word_text(const ExplainArguments& options) {
-    if (const FieldHelp* help = find_field_help(options.what)) return field_text(*help, covers_of(options.cases));
+    const GlossaryEntry* term = find_term(options.what);
+    if (const FieldHelp* help = find_field_help(options.what))
+        return field_text(*help, covers_of(options.cases)) + (term == nullptr ? "" : "\n" + term_text(*term));
     std::string word = options.what;
     if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
     for (const DepartureRow& row : departures())
         if (name(row.id) == word) return departure_text(row, covers_of(options.cases));
+    if (term != nullptr) return term_text(*term);
     return std::nullopt;
 }
 
@@ -66,7 +71,10 @@ std::string known_words() {
     std::string out;
     for (const FieldHelp& help : field_help())
         out += fmt::format("{} ", help.name);
-    return out + "D01 to D37";
+    out += "D01 to D37";
+    for (const GlossaryEntry& entry : glossary())
+        out += fmt::format(", {}", entry.term);
+    return out;
 }
 
 int explain(const ExplainArguments& options) {
@@ -77,9 +85,12 @@ int explain(const ExplainArguments& options) {
     }
     std::error_code error;
     if (std::filesystem::exists(options.what, error)) return explain_node(options);
+    const std::vector<std::string> near = near_terms(options.what);
     fmt::print(stderr,
-               "type21: '{}' is no field of /INTER/TYPE21, no departure and no file. Fields and departures: {}\n",
-               options.what, known_words());
+               "type21: '{}' is no field of /INTER/TYPE21, no departure, no term of the formulation and no file; {}: "
+               "{}\n",
+               options.what, near.empty() ? "there are" : "near it are",
+               near.empty() ? known_words() : fmt::format("{}", fmt::join(near, ", ")));
     return exit_deck;
 }
 
@@ -88,10 +99,11 @@ int explain(const ExplainArguments& options) {
 void add_explain(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "explain",
-        "Explain the force on one node of a deck at one time, a field of the card (DEPTH), or a departure (D03)");
+        "Explain the force on one node of a deck at one time, a field of the card (DEPTH), a departure (D03), or "
+        "a term of the formulation (kappa)");
     const auto options = std::make_shared<ExplainArguments>();
     verb->add_option("WHAT", options->what,
-                     "starter deck NAME_0000.rad (with --node and --time), name of a field, or name of a departure")
+                     "starter deck NAME_0000.rad with --node and --time, or a field, a departure or a term")
         ->required();
     verb->add_option("--node", options->node, "id of a secondary node");
     verb->add_option("--time", options->time, "time in the deck's unit; the last cycle at or before it is explained");

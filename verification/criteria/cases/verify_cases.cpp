@@ -76,6 +76,7 @@ std::vector<CriterionResult> verify_cases(const std::vector<Case>& cases, const 
             tasks.push_back({c, r});
     }
 
+    keep = keep && has_digest();
     std::mutex reporting;
     size_t done = 0;
     const std::vector<std::string> keys = keep ? keys_of(cases, with) : std::vector<std::string>(cases.size());

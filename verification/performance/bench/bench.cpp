@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "verification/performance/bench/closest_point.h"
+
 namespace type21::bench {
 
 namespace {
@@ -18,9 +20,7 @@ double ratio_of(const BenchResult& result, const std::string& scene, const std::
 
 constexpr const char* exactness = "full search / the same in plain double (cost of exactness)";
 
-/// Targets that are ratios of methods of one scene.
-void add_pan_targets(const BenchScene& scene, int size, BenchResult& result) {
-    const auto number = short_count(size);
+void add_embree_targets(const BenchScene& scene, const std::string& number, int size, BenchResult& result) {
     const double least = size >= 500000 ? 5 : 10, aim = size >= 500000 ? 10 : (size >= 100000 ? 15 : 20);
     result.targets.push_back(
         {"coherent selection against Embree's full search, " + number, scene.name, "x", Better::higher, least, aim,
@@ -30,6 +30,12 @@ void add_pan_targets(const BenchScene& scene, int size, BenchResult& result) {
                      ratio_of(result, scene.name, "Embree's full search / coherent step"))});
     result.targets.push_back({"full search against Embree's, " + number, scene.name, "x", Better::higher, 1.0, 1.5,
                               ratio_of(result, scene.name, "Embree's full search / full search"), ""});
+}
+
+/// Targets that are ratios of methods of one scene.
+void add_pan_targets(const BenchScene& scene, int size, BenchResult& result) {
+    const auto number = short_count(size);
+    if (has_embree()) add_embree_targets(scene, number, size, result);
     result.targets.push_back({"cost of exactness, ordinary scene, " + number, scene.name, "x", Better::lower, 1.1, 1.02,
                               ratio_of(result, scene.name, exactness), "full search"});
     const SceneRow& row = result.scenes.back();
@@ -134,6 +140,7 @@ BenchResult run_bench(const BenchOptions& options) {
     BenchResult result;
     result.quick = options.quick;
     result.repeats = Effort(options.quick).repeats;
+    if (!has_embree()) options.progress("built without Embree: CGAL and the candidate list are compared with");
     options.progress("bandwidth and arithmetic of the machine");
     result.machine = measure_machine(options.threads, options.quick ? 64 : 256, options.quick ? 3 : 10);
     if (!options.sizes.empty()) time_generated(options, result);

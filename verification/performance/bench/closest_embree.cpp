@@ -1,9 +1,14 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <embree3/rtcore.h>
 #include <limits>
 #include <stdexcept>
+// The calls used here are the same in both. Version 4 has not been tried.
+#if TYPE21_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include "verification/performance/bench/closest_point.h"
 
@@ -116,6 +121,10 @@ class ByEmbree final : public ClosestPoint {
 };
 
 }  // namespace
+
+bool has_embree() {
+    return true;
+}
 
 std::unique_ptr<ClosestPoint> closest_by_embree(const SurfaceMesh& mesh, double reach) {
     return std::make_unique<ByEmbree>(mesh, reach);

@@ -39,7 +39,9 @@ class ClosestPoint {
 
 /// Asks every triangle: the truth of tests.
 std::unique_ptr<ClosestPoint> closest_by_force(const SurfaceMesh& mesh);
-/// Embree 3, its point query over a tree in single precision, with our callback in double.
+/// False in a program that was built without Embree.
+bool has_embree();
+/// Embree 3 or 4, its point query over a tree in single precision, with our callback in double.
 /// @param reach  nothing farther is looked for [length]
 std::unique_ptr<ClosestPoint> closest_by_embree(const SurfaceMesh& mesh, double reach);
 /// CGAL's AABB tree with the kernels Simple_cartesian<double> and EPICK.

@@ -122,7 +122,7 @@ void SceneBench::add_competitors() {
         row_.setup.back().bytes_per_segment = static_cast<double>(who->bytes()) / static_cast<double>(row_.segments);
         rounds_.add(name, [&] { return ask(at, [&](size_t i) { return who->at(to_vec3(place_[i])); }); });
     };
-    closest(embree, embree_, at_[2], [&] { return closest_by_embree(surface, way_of_reach()); });
+    if (has_embree()) closest(embree, embree_, at_[2], [&] { return closest_by_embree(surface, way_of_reach()); });
     closest(cgal, cgal_, at_[3], [&] { return closest_by_cgal_double(surface); });
     closest(epick, epick_, at_[4], [&] { return closest_by_cgal_epick(surface); });
     reference_ =

@@ -91,7 +91,7 @@ void SceneBench::judge() {
         add_row(plain, "impact", false, n, plain_wrong);
     }
     if (rounds_.has(reference_step)) add_row(reference_step, "impact and forces", false, n, 0);
-    if (embree_) judge_closest();
+    if (cgal_) judge_closest();
     if (!list_) return;
     const std::string note = fmt::format("{:.1f} pairs a node; sorting, spread over {:.0f} cycles, is {:.1f} ns of it",
                                          static_cast<double>(list_->pairs()) / static_cast<double>(n),
@@ -104,19 +104,22 @@ void SceneBench::judge() {
 void SceneBench::judge_closest() {
     const size_t n = std::min(place_.size(), static_cast<size_t>(effort_.questions));
     const double reach2 = way_of_reach() * way_of_reach();
-    long wrong[3] = {};
+    std::vector<std::pair<std::string, const ClosestPoint*>> asked{{cgal, cgal_.get()}, {epick, epick_.get()}};
+    if (embree_) asked.insert(asked.begin(), {embree, embree_.get()});
+    std::vector<long> wrong(asked.size());
+    std::vector<double> d(asked.size());
     for (size_t i = 0; i < n; ++i) {
         const Vec3 p = to_vec3(place_[i]);
-        const double d[3] = {embree_->at(p).distance2, cgal_->at(p).distance2, epick_->at(p).distance2};
-        const double least = std::min({d[0], d[1], d[2]});
+        for (size_t j = 0; j < asked.size(); ++j)
+            d[j] = asked[j].second->at(p).distance2;
+        const double least = *std::min_element(d.begin(), d.end());
         // Relative to the coordinates: a distance is a difference of them.
         const double size = p.cwiseAbs().maxCoeff();
-        for (size_t j = 0; j < 3; ++j)
+        for (size_t j = 0; j < asked.size(); ++j)
             wrong[j] += least <= reach2 && !(std::sqrt(d[j]) <= std::sqrt(least) * (1 + 1e-9) + 1e-14 * size);
     }
-    const std::string names[3] = {embree, cgal, epick};
-    for (size_t j = 0; j < 3; ++j)
-        add_row(names[j], "closest point", false, static_cast<long>(n), wrong[j]);
+    for (size_t j = 0; j < asked.size(); ++j)
+        add_row(asked[j].first, "closest point", false, static_cast<long>(n), wrong[j]);
 }
 
 }  // namespace type21::bench

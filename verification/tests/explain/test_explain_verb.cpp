@@ -54,4 +54,16 @@ TEST(ExplainVerb, OfFieldsAndDepartures) {
     EXPECT_NE(departure.text.find("DEPTH of the card is ignored for Igap 0"), std::string::npos);
 }
 
+TEST(ExplainVerb, OfTerms) {
+    const Outcome term = type21("Kappa");
+    EXPECT_EQ(term.code, 0);
+    EXPECT_NE(term.text.find("Formulation 3, step 6 (reference/formulation/03_projection.md)"), std::string::npos);
+    const Outcome both = type21("depth");
+    EXPECT_LT(both.text.find("line 2, columns 41 to 60"), both.text.find("Formulation 2, step 8")) << "the field first";
+    EXPECT_NE(both.text.find("Formulation 2, step 8"), std::string::npos);
+    const Outcome near = type21("kapa");
+    EXPECT_EQ(near.code, 2);
+    EXPECT_NE(near.text.find("near it are: kappa"), std::string::npos) << near.text;
+}
+
 }  // namespace
