@@ -58,7 +58,8 @@ void add_accuracy(CLI::App& app, int& exit_code) {
     verb->add_flag("--list", options->list, "list the scenes; measure nothing");
     verb->footer(
         "Times are processor time of one thread; the methods are timed in turn in one process.\n"
-        "Exit code 3 if a method that guarantees exact decisions is wrong. Times do not affect the exit code.");
+        "Exit code 3 if a method that guarantees exact decisions is wrong. Times do not affect the exit\n"
+        "code; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -61,7 +61,7 @@ void add_atlas(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     verb->add_option("--json", options->json,
                      "also write the entries, with geometry and all answers, to this JSON file");
-    verb->footer("Exit code 3 if an answer differs from the exact one.");
+    verb->footer("Exit code 3 if an answer differs from the exact one; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = show(*options); });
 }
 

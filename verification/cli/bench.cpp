@@ -100,7 +100,8 @@ void add_bench(CLI::App& app, int& exit_code) {
                      "also write the output to this JSON file (the report reads build/report/bench.json)");
     verb->add_flag("--quiet", options->quiet, "print no progress");
     verb->footer(
-        "Ratios compare the medians of methods that are timed in turn. Exit code 3 if a decision is not exact.");
+        "Ratios compare the medians of methods that are timed in turn. \n"
+        "Exit code 3 if a decision is not exact; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] {
         std::string command = "type21 bench";
         const auto add = [&](const std::string& text) { command += " " + text; };

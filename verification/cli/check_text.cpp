@@ -10,6 +10,11 @@ namespace {
 
 constexpr size_t most_penetrations = 20;
 
+/// "1 part", "3 parts"
+std::string counted(size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string scene_text(const Model& model) {
     std::string out = fmt::format("{}\n", model.title.empty() ? model.run_name : model.title);
     const auto units = [](const UnitSystem& u) {
@@ -19,8 +24,9 @@ std::string scene_text(const Model& model) {
     out += fmt::format("as built  {}\n", model.as_built.text());
     const auto triangles =
         std::count_if(model.shells.begin(), model.shells.end(), [](const Shell& s) { return s.is_triangle(); });
-    out += fmt::format("sizes     {} nodes, {} shells ({} triangles), {} parts, {} interfaces\n", model.nodes.size(),
-                       model.shells.size(), triangles, model.parts.size(), model.interfaces.size());
+    out += fmt::format("sizes     {}, {} ({}), {}, {}\n", counted(static_cast<size_t>(model.nodes.size()), "node"),
+                       counted(model.shells.size(), "shell"), counted(static_cast<size_t>(triangles), "triangle"),
+                       counted(model.parts.size(), "part"), counted(model.interfaces.size(), "interface"));
     for (const Surface& surface : model.surfaces)
         out += fmt::format("surface   {} '{}': {} segments\n", surface.id, surface.title, surface.segments.size());
     for (const RigidBody& body : model.rigid_bodies) {
@@ -64,8 +70,8 @@ std::string time_zero_text(const Model& model, const TimeZero& zero) {
     std::string out = "  at time 0\n";
     out += fmt::format("    gap        {}\n", range_text(zero.gap, length));
     out += fmt::format("    DEPTH      {:.9g} {}\n", zero.depth, length);
-    out += fmt::format("    stiffness  {} a node\n", range_text(zero.stiffness, units.name(dim::stiffness)));
-    out += fmt::format("    mass       {} a node, {:.9g} {} in all\n", range_text(zero.mass, units.name(dim::mass)),
+    out += fmt::format("    stiffness  {} per node\n", range_text(zero.stiffness, units.name(dim::stiffness)));
+    out += fmt::format("    mass       {} per node, {:.9g} {} in all\n", range_text(zero.mass, units.name(dim::mass)),
                        zero.total_mass, units.name(dim::mass));
     if (zero.penetrations.empty()) return out + "    initial penetrations  none\n";
     out += fmt::format("    initial penetrations  {}, deepest first\n", zero.penetrations.size());

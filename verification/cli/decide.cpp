@@ -60,7 +60,8 @@ void add_decide(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
     verb->add_option("--out", options->out, "write questions and answers to this JSON file (default: standard output)");
-    verb->footer("If FILE has answers, they are compared. Exit code 3 if one differs.");
+    verb->footer(
+        "If FILE has answers, they are compared. Exit code 3 if one differs; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = decide_file(*options); });
 }
 

@@ -106,7 +106,8 @@ void add_fuzz(CLI::App& app, int& exit_code) {
     verb->add_option("--json", options->json, "also write the counts to this JSON file");
     verb->add_flag("--list", options->list, "list the question families and exit");
     verb->footer(
-        "The first 10 wrong answers of a family are reduced and written to files. Exit code 3 if an answer is wrong.");
+        "The first 10 wrong answers of a family are reduced and written to files.\n"
+        "Exit code 3 if an answer is wrong; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = run_fuzz(*options); });
 }
 

@@ -76,7 +76,8 @@ void add_lockstep(CLI::App& app, int& exit_code) {
     verb->add_flag("--quiet", options->quiet, "print no progress");
     verb->footer(
         "Cases are run with the departures of their case.toml, or with those of --as-built ('none' for none).\n"
-        "Exit code 3 if a decision differs, or a number by more than 4 ulps of the magnitudes that enter it.");
+        "Exit code 3 if a decision differs, or a number by more than 4 ulps of the magnitudes that enter it;\n"
+        "'type21 --help' lists the others.");
     verb->callback([options, verb, &exit_code] {
         options->as_built_given = verb->count("--as-built") > 0;
         exit_code = run(*options);

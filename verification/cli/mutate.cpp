@@ -82,7 +82,7 @@ void add_mutate(CLI::App& app, int& exit_code) {
         ->check(CLI::PositiveNumber);
     verb->add_flag("--list", options->list, "list the mutations and exit");
     verb->add_flag("--quiet", options->quiet, "print no progress");
-    verb->footer("Exit code 3 if no criterion fails for a mutation.");
+    verb->footer("Exit code 3 if no criterion fails for a mutation; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = mutate(*options); });
 }
 

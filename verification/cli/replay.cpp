@@ -71,7 +71,7 @@ void add_replay(CLI::App& app, int& exit_code) {
         ->required();
     verb->add_option("--with", options->with, "method to judge (default: the one that FILE names, otherwise reference)")
         ->check(CLI::IsMember(method_names()));
-    verb->footer("Exit code 3 if the answer of the method is wrong.");
+    verb->footer("Exit code 3 if the answer of the method is wrong; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = replay(*options); });
 }
 

@@ -75,7 +75,7 @@ void add_stability(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
     verb->add_option("--json", options->json, "also write the output to this JSON file");
-    verb->footer("Exit code 3 if a number exceeds its bound.");
+    verb->footer("Exit code 3 if a number exceeds its bound; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

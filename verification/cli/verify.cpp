@@ -85,7 +85,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     verb->add_flag("--lockstep", options->lockstep,
                    "also step the reference and the optimized contact side by side: one more criterion for each run");
     verb->add_flag("--list", options->list, "list the cases and their criteria, and exit");
-    verb->footer("Exit code 3 if a criterion fails.");
+    verb->footer("Exit code 3 if a criterion fails; 'type21 --help' lists the others.");
     verb->callback([options, &exit_code] { exit_code = verify(*options); });
 }
 

@@ -11,6 +11,11 @@ namespace {
 constexpr size_t most_rejected = 12;    ///< segments shown one by one
 constexpr size_t most_expression = 62;  ///< the value of a wider one is on the next line
 
+/// "1 segment", "12 segments"
+std::string counted(size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string expression(const AccountLine& line) {
     std::string out = line.formula;
     if (!line.numbers.empty()) out += (out.empty() ? "" : " = ") + line.numbers;
@@ -94,9 +99,9 @@ std::string rejected_text(const SegmentAccount& segment) {
 
 std::string candidates_text(const CandidateAccount& account) {
     std::string out = fmt::format(
-        "candidates: {} segments whose box contains the node; {} sub-triangles accept it, {} reject it (Formulation "
-        "3)\n",
-        account.segments.size(), account.taken, account.rejected);
+        "candidates: {} whose box contains the node; {} it, {} reject it (steps of Formulation 3)\n",
+        counted(account.segments.size(), "segment", "segments"),
+        counted(static_cast<size_t>(account.taken), "sub-triangle accepts", "sub-triangles accept"), account.rejected);
     out += taken_text(account);
     std::vector<const SegmentAccount*> order;
     for (const SegmentAccount& segment : account.segments)

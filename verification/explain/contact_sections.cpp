@@ -69,7 +69,7 @@ AccountSection impact_section(const AccountInput& input, const NodeAccount& acco
     const bool same =
         ours.segment == decision.segment && ours.triangle == decision.triangle && ours.kind == decision.kind;
     section.say("why", same ? account.candidates.why : by_exact_arithmetic(ours), "Formulation 4, step 3");
-    section.say("settled by", settled_text(input, account, length), "Formulation 10, step 4");
+    section.say("settled by", settled_text(input, account, length), "Formulation 10, step 8");
     section.say("a, b, c", fmt::format("{:.9g}, {:.9g}, {:.9g}", 1.0 - decision.b - decision.c, decision.b, decision.c),
                 "Formulation 3, step 3");
     return section;

@@ -68,7 +68,7 @@ def note_on_stages(rows):
             decided = sum(stage["settled"] for stage in row["stages"])
             last = row["stages"][-1]
             parts.append(f"{words.percent(last['settled'], decided)} of {row['scene']}" + (f" ({words.nanoseconds(last['ns']['p50'])} each)" if "ns" in last else ""))
-        text.append(f"The {implementation} needs its last and slowest stage for " + ", ".join(parts))
+        text.append(f"The {implementation} implementation needs its last and slowest stage for " + ", ".join(parts))
     return ". ".join(text) + "."
 
 

@@ -36,7 +36,7 @@ std::optional<Departure> only_difference(const CaseRun& one, const CaseRun& othe
     return difference;
 }
 
-/// Whether a check of run `index` with a value of its own fails when the run has the departures of another.
+/// Whether a criterion of run `index` with a value of its own fails when the run has the departures of another.
 bool tells_apart(const Case& a_case, size_t index, const CaseRun& other) {
     CaseRun changed = a_case.runs[index];
     changed.as_built = other.as_built;
@@ -44,7 +44,7 @@ bool tells_apart(const Case& a_case, size_t index, const CaseRun& other) {
     const CaseOutcome outcome = run_case(changed, folder / "run", "reference");
     for (const Criterion& criterion : a_case.criteria) {
         if (criterion.run != index || std::holds_alternative<BalanceCriterion>(criterion.form)) continue;
-        if (!evaluate(a_case, check, outcome).ok) return true;
+        if (!evaluate(a_case, criterion, outcome).ok) return true;
     }
     return false;
 }

@@ -24,7 +24,7 @@ struct SmallScene {
             interface.tool = 0;
             interface.secondary.node = {0};
         }
-        scene.model = model;
+        scene.model = scene.host = model;
         scene.effects.resize(2);
     }
 
