@@ -6,7 +6,7 @@
 #include "optimized/search/search.h"
 #include "reference/contact/candidates.h"
 #include "verification/performance/accuracy/optimized_answer.h"
-#include "verification/stability/bench_scene.h"
+#include "verification/support/scene_builder.h"
 
 namespace type21::accuracy {
 
@@ -27,7 +27,11 @@ optimized::Tool tool_of(const DecisionTool& tool) {
 class Prepared {
   public:
     explicit Prepared(const QuestionBlock& block)
-        : scene_(stability::BenchScene({block.tool.node, block.tool.segment}, {}).scene()),
+        : scene_(SceneBuilder()
+                     .main_node(Vec3::Zero())
+                     .tool({block.tool.node, block.tool.segment})
+                     .blank({})
+                     .scene()),
           surface_(*scene_.host, scene_.model->interfaces[0]),
           candidates_(surface_, reach_of(block)),
           tool_(tool_of(block.tool)),
