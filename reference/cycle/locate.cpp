@@ -23,7 +23,8 @@ std::vector<int> Contact::State::competitors(const Vec3& y, const ContactReach<d
 StagedImpact Contact::State::decide(const Vec3& y, const std::vector<int>& segments,
                                     const ContactReach<double>& reach_of_node, const ImpactReading& how) const {
     const ShapeOf shape_of = [this](int segment) { return surface.shape(segment); };
-    return staged_impact({y, segments, shape_of, reach_of_node, how.limits, how.proximity_competes}, &stage_counts);
+    return staged_impact(query_of(y, reach_of_node, how.limits, how.proximity_competes), {segments, shape_of},
+                         &stage_counts);
 }
 
 LocatedImpact Contact::State::locate(int i, const Vec3& position, const ToolMotion& pose,

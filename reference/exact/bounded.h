@@ -1,4 +1,4 @@
-/// @file First stage: a double with a bound on the distance to the real number that it stands for.
+/// @file First stage: a double with a bound on its distance to the exact number (Formulation 10, step 3).
 #pragma once
 
 #include <cfloat>
@@ -9,14 +9,15 @@
 
 namespace type21::reference {
 
-/// A double and a bound of its error: the real number lies within error() of value().
+/// A double and a bound on its error: the exact number lies within error() of value(). The unit is that of the number.
 ///
-/// With u = 2^-53 and * one of the four operations, fl(a * b) = (a * b)(1 + d) + e, |d| <= u, and e = 0 or, where a
-/// product or quotient underflows, |e| <= 2^-1075; so for operands a, b with errors r, s
-///   a + b: r + s + u |a + b|        a b: |a| s + |b| r + r s + u |a b| + w        a / b: (r + |a/b| s) / (|b| - s) + u
-///   |a/b| + w
-/// with w = 2^-1022 >= 2^-1075. The bound itself is computed with fewer than eight roundings, which the factor 1 + 16 u
-/// covers. An overflow makes bound or value infinite or not a number, and no comparison holds then: it is undecided.
+/// Rounding: for each of the four operations, fl(a op b) = (a op b)(1 + d) + e with |d| <= u = 2^-53. Here e = 0, or
+/// |e| <= 2^-1075 where a product or quotient underflows. For operands a, b with error bounds r, s this gives
+///   a + b:  r + s + u |a + b|
+///   a b:    |a| s + |b| r + r s + u |a b| + w
+///   a / b:  (r + |a/b| s) / (|b| - s) + u |a/b| + w
+/// with w = 2^-1022 >= 2^-1075. The bound itself is computed with fewer than eight roundings; the factor 1 + 16 u
+/// covers them. An overflow makes the value or the bound infinite or NaN; then no comparison is certain.
 class Bounded {
   public:
     Bounded() = default;
@@ -62,7 +63,8 @@ class Bounded {
     friend bool operator==(const Bounded& a, const Bounded& b) { return (a - b).sign() == 0; }
     friend bool operator!=(const Bounded& a, const Bounded& b) { return !(a == b); }
 
-    /// @throws Undecided
+    /// Sign of the exact number: -1, 0 or +1.
+    /// @throws Undecided where the bound allows more than one
     int sign() const {
         if (value_ > error_) return 1;
         if (value_ < -error_) return -1;
@@ -71,7 +73,7 @@ class Bounded {
     }
 
     friend Bounded magnitude(const Bounded& a) { return a.value_ < 0 ? -a : a; }
-    /// Clipping moves no two numbers apart, so the bound stays.
+    /// Clipped to [0, 1]. Clipping never increases the distance of two numbers, so the bound stays valid.
     friend Bounded clipped(const Bounded& a) {
         Bounded result = a;
         if (a.value_ < 0) result.value_ = 0;

@@ -3,12 +3,12 @@
 
 namespace type21::reference {
 
-std::optional<ImpactEnclosure> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape,
-                                                  int segment, int k) {
+std::optional<ImpactEnclosure> enclosed_by_interval(const ContactQuery& query, const SegmentShape<double>& shape,
+                                                    int segment, int k) {
     try {
         const Interval::Upward upward;
-        const auto impact = impact_in<Interval>(input, shape, segment, k);
-        return judged(impact, impact.kappa.low(), impact.kappa.high());
+        const auto impact = impact_in<Interval>(query, shape, segment, k);
+        return enclosure_of(impact, impact.kappa.low(), impact.kappa.high());
     } catch (const Undecided&) {
         return std::nullopt;
     }

@@ -1,4 +1,4 @@
-/// @file What Eigen has to know of our number types: real, not integers, made by a constructor.
+/// @file What Eigen needs to know about these number types: they are real, not integers, and need their constructor.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-/// @file Last stage: rational numbers, without rounding.
+/// @file Third stage: rational numbers, without rounding (Formulation 10, step 5).
 #pragma once
 
 #include <memory>
@@ -11,12 +11,13 @@
 
 namespace type21::reference {
 
-/// An exact rational number whose divisors stay factors: integer * f1^e1 * f2^e2 * ... with exponents of either sign.
+/// An exact rational number, stored as integer * f1^e1 * f2^e2 * ... with positive or negative exponents.
 ///
-/// The formulation divides by few numbers and then computes with thousands of digits over the same denominators. A
-/// plain rational number looks for common divisors after every operation, which is nearly all of its cost. Here each
-/// divisor becomes a factor that all its quotients share: a product adds exponents, a sum brings its terms to the lower
-/// exponent of each factor, and no common divisor is ever searched. The integers are CGAL's exact dyadic numbers m 2^e.
+/// The formulation divides by few numbers, and all later numbers have the same denominators, which may have thousands
+/// of digits. An ordinary rational number searches for common divisors after every operation, and that is nearly all of
+/// its cost. Here each divisor becomes a factor that all its quotients share. A product adds exponents; a sum brings
+/// both terms to the lower exponent of each factor. No common divisor is ever searched. The "integers" are CGAL's exact
+/// dyadic numbers m 2^e (CGAL::Mpzf).
 class Fraction {
   public:
     using Integer = CGAL::Mpzf;
@@ -25,15 +26,15 @@ class Fraction {
     Fraction(double value) : integer_(value) {}  // NOLINT(google-explicit-constructor): a double is a fraction
     Fraction(int value) : integer_(value) {}     // NOLINT(google-explicit-constructor)
 
-    int sign() const;
-    double to_double() const;
-    /// Lower and upper bound, at most an ulp apart for numbers that a double can hold.
+    int sign() const;          ///< -1, 0 or +1
+    double to_double() const;  ///< the middle of enclosure()
+    /// Lower and upper bound; at most an ulp apart where a double can represent the size of the number.
     std::pair<double, double> enclosure() const;
 
     friend Fraction operator+(const Fraction& a, const Fraction& b) { return sum(a, b, +1); }
     friend Fraction operator-(const Fraction& a, const Fraction& b) { return sum(a, b, -1); }
     friend Fraction operator*(const Fraction& a, const Fraction& b);
-    /// @throws std::domain_error for a divisor of zero
+    /// @throws std::domain_error when b is zero
     friend Fraction operator/(const Fraction& a, const Fraction& b);
     friend Fraction operator-(const Fraction& a);
     Fraction& operator+=(const Fraction& b) { return *this = *this + b; }
@@ -49,13 +50,13 @@ class Fraction {
   private:
     struct Factor {
         Integer value;
-        long rank;  ///< order of making, so that lists can be merged
+        long rank;  ///< the order in which factors were made; lists are merged by it
     };
     struct Power {
         std::shared_ptr<const Factor> factor;
         int exponent;  ///< not 0
     };
-    using Powers = std::vector<Power>;  ///< by rank of the factor
+    using Powers = std::vector<Power>;  ///< by ascending rank of the factor
 
     static Fraction sum(const Fraction& a, const Fraction& b, int sign);
     /// The powers of both, combined factor by factor; an absent factor has the exponent 0.

@@ -1,4 +1,4 @@
-/// @file One sub-triangle judged in one arithmetic.
+/// @file The impact on one sub-triangle, computed in one number type, and what is certain of it.
 #pragma once
 
 #include <optional>
@@ -23,45 +23,51 @@ SegmentShape<Number> convert_to(const SegmentShape<double>& shape) {
     return same;
 }
 
-template <class Number>
-ContactReach<Number> convert_to(const ContactReach<double>& reach) {
-    return {Number(reach.gap), Number(reach.depth), Number(reach.proximity)};
-}
-
-template <class Number>
-ProjectionLimits<Number> convert_to(const ProjectionLimits<double>& limits) {
-    return {Number(limits.low), Number(limits.high), limits.lift_leaning};
-}
-
+/// The impact of a query on sub-triangle k of a segment, in one number type.
+/// @param shape  of the segment, tool frame [length]
+/// @param k      1..4 for a quad, 1 for a triangle
 /// @throws Undecided where Number cannot tell
 template <class Number>
-Impact<Number> impact_in(const DecisionInput& input, const SegmentShape<double>& shape, int segment, int k) {
-    return impact_on(convert_to<Number>(input.point), convert_to<Number>(shape), segment, k,
-                     convert_to<Number>(input.reach), convert_to<Number>(input.limits));
+Impact<Number> impact_in(const ContactQuery& query, const SegmentShape<double>& shape, int segment, int k) {
+    return impact_on(convert_to<Number>(query.point), convert_to<Number>(shape), segment, k, reach_of<Number>(query),
+                     limits_of<Number>(query));
 }
 
-/// What is known of one sub-triangle's impact: kind and side for certain, kappa between two doubles.
+/// The retained impact of a query over all candidates, in one number type.
+/// @throws Undecided where Number cannot tell
+template <class Number>
+Impact<Number> retained_in(const ContactQuery& query, const CandidateSegments& candidates) {
+    return retained_impact<Number>(
+        convert_to<Number>(query.point), candidates.ranks,
+        [&](int segment) { return convert_to<Number>(candidates.shape_of(segment)); }, reach_of<Number>(query),
+        limits_of<Number>(query), query.proximity_competes);
+}
+
+/// What is certain of the impact on one sub-triangle: its kind and side, and two doubles that enclose its kappa.
 struct ImpactEnclosure {
     Kind kind = Kind::none;
     int segment = -1;
     int triangle = 0;
     int side = 0;
-    double kappa_low = 0;
-    double kappa_high = 0;
-    bool double_will_do = false;  ///< its magnitudes are known to be good in double (magnitudes.h)
+    double kappa_low = 0;         ///< [-]
+    double kappa_high = 0;        ///< [-]
+    bool double_will_do = false;  ///< the projection in double is near enough to the exact one (magnitudes.h)
 };
 
 template <class Number>
-ImpactEnclosure judged(const Impact<Number>& impact, double kappa_low, double kappa_high) {
+ImpactEnclosure enclosure_of(const Impact<Number>& impact, double kappa_low, double kappa_high) {
     return {impact.kind, impact.segment, impact.triangle, impact.side, kappa_low, kappa_high, false};
 }
 
-/// By doubles with a bound of their error. Nothing where the bound cannot tell.
-std::optional<ImpactEnclosure> judged_by_bound(const DecisionInput& input, const SegmentShape<double>& shape,
-                                               int segment, int k);
+/// By doubles with a bound on their error (Formulation 10, step 3).
+/// @return nothing where the bound cannot tell
+std::optional<ImpactEnclosure> enclosed_by_bound(const ContactQuery& query, const SegmentShape<double>& shape,
+                                                 int segment, int k);
 
-/// Nothing where the intervals overlap. Compiled on its own, since it changes the rounding mode while it computes.
-std::optional<ImpactEnclosure> judged_by_interval(const DecisionInput& input, const SegmentShape<double>& shape,
-                                                  int segment, int k);
+/// By intervals of doubles (Formulation 10, step 4). In a file of its own, since it changes the rounding mode while it
+/// computes and the compiler has to know.
+/// @return nothing where the intervals overlap
+std::optional<ImpactEnclosure> enclosed_by_interval(const ContactQuery& query, const SegmentShape<double>& shape,
+                                                    int segment, int k);
 
 }  // namespace type21::reference

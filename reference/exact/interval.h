@@ -1,4 +1,4 @@
-/// @file Second stage: intervals of doubles that hold the real number.
+/// @file Second stage: intervals of doubles that contain the exact number (Formulation 10, step 4).
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,13 @@
 
 namespace type21::reference {
 
-/// CGAL's interval arithmetic, with comparisons that answer or throw. Needs the rounding mode that Interval::Upward
-/// sets. Where an operation is exact the interval stays a point, so that what lies on a lattice is decided here.
+/// CGAL's interval arithmetic with comparisons that give a certain answer or throw Undecided. It needs the rounding
+/// mode that Interval::Upward sets. An interval stays a point while its operations are exact. So this stage also
+/// decides ties of nodes and tools whose coordinates are small multiples of a power of two.
 class Interval {
   public:
     using Bounds = CGAL::Interval_nt<false>;
-    using Upward = Bounds::Protector;  ///< rounds upwards while it lives, and restores what was before
+    using Upward = Bounds::Protector;  ///< rounds upwards while it lives; then the former mode is restored
 
     Interval() : bounds_(0.0) {}
     explicit Interval(double exact) : bounds_(exact) {}

@@ -23,12 +23,12 @@ bool close_enough(const Projection<Bounded>& projection, double largest) {
     return distance <= MagnitudeLimits::distance * largest;
 }
 
-bool close_enough(const DecisionInput& input, const SegmentShape<double>& shape, int k) {
-    const ProjectionLimits<Bounded> borderless{Bounded(-1e300), Bounded(1e300), input.limits.lift_leaning};
+bool close_enough(const ContactQuery& query, const SegmentShape<double>& shape, int k) {
+    const ProjectionLimits<Bounded> no_limits{Bounded(-1e300), Bounded(1e300), query.lift_leaning};
     try {
         const auto projection =
-            project(convert_to<Bounded>(input.point), sub_triangle(convert_to<Bounded>(shape), k), borderless);
-        return projection && close_enough(*projection, largest_length(input.point, shape));
+            project(convert_to<Bounded>(query.point), sub_triangle(convert_to<Bounded>(shape), k), no_limits);
+        return projection && close_enough(*projection, largest_length(query.point, shape));
     } catch (const Undecided&) {
         return false;
     }

@@ -1,4 +1,4 @@
-/// @file Whether the doubles of a projection are good enough to compute forces with, by the bounds of their errors.
+/// @file Are the doubles of a projection good enough to compute forces with? (Formulation 10, step 7)
 #pragma once
 
 #include "reference/exact/bounded.h"
@@ -6,23 +6,24 @@
 
 namespace type21::reference {
 
-/// How far the doubles of a retained projection may be from the exact ones by their bounds, which are some ten to a
-/// thousand times the errors. Where they say more, as near a point where the normals meet and the lifted triangle
-/// shrinks to nothing, the exact ones are rounded in their place. The bounds of common meshes lie far below.
+/// How large the error bounds of a retained projection may be. The bounds are some ten to a thousand times the errors;
+/// those of common meshes lie far below these limits. Where a bound is larger, the exact number is rounded instead.
+/// This happens near a point where the normals meet and the lifted triangle shrinks to nothing.
 struct MagnitudeLimits {
-    static constexpr double weights = 0x1p-30;   ///< of b and c [-]; of n in parts of |n|
-    static constexpr double distance = 0x1p-40;  ///< of delta, in parts of the largest length that enters
+    static constexpr double weights = 0x1p-30;   ///< for b and c [-]; for n, as a share of |n| [-]
+    static constexpr double distance = 0x1p-40;  ///< for delta, as a share of the largest length that enters [-]
 };
 
-/// True where the bounds of a retained projection keep MagnitudeLimits.
-/// @param largest  of the coordinates of node and segment, in magnitude [length]
+/// True where the error bounds of a retained projection keep MagnitudeLimits.
+/// @param largest  largest coordinate of node and segment, in magnitude: largest_length() [length]
 bool close_enough(const Projection<Bounded>& projection, double largest);
 
-/// The same from the beginning: for a sub-triangle that another arithmetic than Bounded found to take the node. What
-/// could not be decided may have been its reach or its border, which magnitudes do not depend on.
-bool close_enough(const DecisionInput& input, const SegmentShape<double>& shape, int k);
+/// The same for a sub-triangle that intervals or rational numbers found to take the node: the projection is computed in
+/// Bounded once more, without limits on the weights. What Bounded could not decide may have been a limit or the reach,
+/// and the numbers of a projection do not depend on those.
+bool close_enough(const ContactQuery& query, const SegmentShape<double>& shape, int k);
 
-/// Of the coordinates of node and segment, in magnitude [length].
+/// Largest coordinate of node and segment, in magnitude [length].
 double largest_length(const Vec3& point, const SegmentShape<double>& shape);
 
 }  // namespace type21::reference

@@ -1,4 +1,4 @@
-// How close a decision was: the chain of projection.h with derivatives by the node's position.
+// How close a decision was: projection.h computed with derivatives with respect to the position of the node.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -104,31 +104,27 @@ SegmentShape<Sensitive> constant(const SegmentShape<double>& shape) {
     return same;
 }
 
-/// An impact with the distance to where it would be of another kind, or none.
+/// An impact, and how far the node may move before it is of another kind or none [length].
 struct Standing {
     Impact<Sensitive> impact;
     double margin = infinity;
 };
 
-Standing standing_on(const DecisionInput& input, const Vector<Sensitive>& p, const SegmentShape<Sensitive>& shape,
+Standing standing_on(const ContactQuery& query, const Vector<Sensitive>& p, const SegmentShape<Sensitive>& shape,
                      int segment, int k) {
     Sensitive::nearest = infinity;
     Standing standing;
     const auto t = sub_triangle(shape, k);
-    const ProjectionLimits<Sensitive> limits{Sensitive(input.limits.low), Sensitive(input.limits.high),
-                                             input.limits.lift_leaning};
-    if (const auto projection = project(p, t, limits)) {
+    if (const auto projection = project(p, t, limits_of<Sensitive>(query))) {
         const auto near = approach(p, t, projection->weights);
-        const ContactReach<Sensitive> reach{Sensitive(input.reach.gap), Sensitive(input.reach.depth),
-                                            Sensitive(input.reach.proximity)};
         standing.margin = Sensitive::nearest;
         const Sensitive distance = root(near.squared_distance);
         const auto border = [&](double limit) {
             standing.margin = std::min(standing.margin, (distance - Sensitive(limit)).distance_to_zero());
         };
-        border(near.side > 0 ? input.reach.gap : input.reach.depth);
-        if (near.side > 0 && input.reach.proximity > input.reach.gap) border(input.reach.proximity);
-        const Kind kind = classify(near, reach);
+        border(near.side > 0 ? query.gap : query.depth);
+        if (near.side > 0 && query.proximity_reach > query.gap) border(query.proximity_reach);
+        const Kind kind = classify(near, reach_of<Sensitive>(query));
         if (kind != Kind::none)
             standing.impact = {kind, segment, k, near.side, *projection, centrality(projection->weights)};
         return standing;
@@ -138,34 +134,34 @@ Standing standing_on(const DecisionInput& input, const Vector<Sensitive>& p, con
 }
 
 /// The largest power of two that is no larger than the largest coordinate of the node and the candidates; 1 for none.
-double size_of(const DecisionInput& input) {
-    double largest = input.point.cwiseAbs().maxCoeff();
-    for (const int segment : input.segments)
-        for (const Vec3& x : input.shape_of(segment).node)
+double size_of(const ContactQuery& query, const CandidateSegments& candidates) {
+    double largest = query.point.cwiseAbs().maxCoeff();
+    for (const int segment : candidates.ranks)
+        for (const Vec3& x : candidates.shape_of(segment).node)
             largest = std::max(largest, x.cwiseAbs().maxCoeff());
     // 2^1000 and its inverse are doubles, and so is what they scale.
     return largest > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
 }
 
-double margin_at_unit_size(const DecisionInput& input) {
+double margin_at_unit_size(const ContactQuery& query, const CandidateSegments& candidates) {
     Vector<Sensitive> p;
     for (int i = 0; i < 3; ++i)
-        p[i] = Sensitive(input.point[i], Vec3::Unit(i));
+        p[i] = Sensitive(query.point[i], Vec3::Unit(i));
     std::vector<Standing> standings;
-    for (const int segment : input.segments) {
-        const SegmentShape<double> shape = input.shape_of(segment);
+    for (const int segment : candidates.ranks) {
+        const SegmentShape<double> shape = candidates.shape_of(segment);
         const SegmentShape<Sensitive> fixed = constant(shape);
         for (int k = 1; k <= shape.sub_triangles(); ++k)
-            standings.push_back(standing_on(input, p, fixed, segment, k));
+            standings.push_back(standing_on(query, p, fixed, segment, k));
     }
     const Standing* best = nullptr;
     for (const Standing& one : standings)
-        if (best == nullptr || precedes(one.impact, best->impact, input.proximity_competes)) best = &one;
+        if (best == nullptr || precedes(one.impact, best->impact, query.proximity_competes)) best = &one;
     double margin = infinity;
     for (const Standing& one : standings) {
-        const bool races = &one != best && one.impact.kind != Kind::none &&
-                           order_of_kinds(one.impact.kind, best->impact.kind, input.proximity_competes) == 0;
-        const double own = races ? (one.impact.kappa - best->impact.kappa).distance_to_zero() : one.margin;
+        const bool competes = &one != best && one.impact.kind != Kind::none &&
+                              order_of_kinds(one.impact.kind, best->impact.kind, query.proximity_competes) == 0;
+        const double own = competes ? (one.impact.kappa - best->impact.kappa).distance_to_zero() : one.margin;
         margin = std::min(margin, own);
     }
     return margin;
@@ -173,18 +169,21 @@ double margin_at_unit_size(const DecisionInput& input) {
 
 }  // namespace
 
-double decision_margin(const DecisionInput& input) {
-    // Volumes and their squares must fit into doubles: the node is looked at in a unit of its own size.
-    const double size = size_of(input);
+double decision_margin(const ContactQuery& query, const CandidateSegments& candidates) {
+    // Volumes and their squares must fit into doubles, so the lengths are scaled to about 1.
+    const double size = size_of(query, candidates);
     const ShapeOf shape_of = [&](int segment) {
-        SegmentShape<double> shape = input.shape_of(segment);
+        SegmentShape<double> shape = candidates.shape_of(segment);
         for (Vec3& x : shape.node)
             x /= size;
         return shape;
     };
-    const ContactReach<double> reach{input.reach.gap / size, input.reach.depth / size, input.reach.proximity / size};
-    return size * margin_at_unit_size(
-                      {input.point / size, input.segments, shape_of, reach, input.limits, input.proximity_competes});
+    ContactQuery scaled = query;
+    scaled.point /= size;
+    scaled.gap /= size;
+    scaled.depth /= size;
+    scaled.proximity_reach /= size;
+    return size * margin_at_unit_size(scaled, {candidates.ranks, shape_of});
 }
 
 }  // namespace type21::reference

@@ -1,9 +1,9 @@
-/// @file What a number that only encloses its value throws when it is asked for an answer that it cannot give.
+/// @file Thrown by a number that only encloses its value, when a comparison has no certain answer.
 #pragma once
 
 namespace type21::reference {
 
-/// The enclosures of two compared numbers overlap: the next stage has to decide.
+/// The enclosures of two compared numbers overlap, or a divisor may be zero: the next stage has to decide.
 struct Undecided {};
 
 }  // namespace type21::reference

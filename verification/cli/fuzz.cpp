@@ -37,37 +37,37 @@ std::function<void(double)> progress_of(const std::string& family) {
     };
 }
 
-std::vector<const Family*> chosen(const std::vector<std::string>& names) {
-    std::vector<const Family*> found;
+std::vector<const QuestionFamily*> chosen(const std::vector<std::string>& names) {
+    std::vector<const QuestionFamily*> found;
     for (const std::string& name : names) {
-        const Family* family = family_named(name);
+        const QuestionFamily* family = question_family_named(name);
         if (family == nullptr)
             throw UsageError(fmt::format("there is no question family '{}'; 'type21 fuzz --list' lists them", name));
         found.push_back(family);
     }
     if (names.empty())
-        for (const Family& family : families())
+        for (const QuestionFamily& family : question_families())
             found.push_back(&family);
     return found;
 }
 
 int run_fuzz(FuzzArguments options) {
     if (options.list) {
-        for (const Family& family : families())
+        for (const QuestionFamily& family : question_families())
             fmt::print("{:<16} {}\n", family.name, family.what);
         return exit_ok;
     }
     options.fuzz.method = method_named(options.with);
     std::vector<FuzzTally> tallies;
     long different = 0;
-    for (const Family* family : chosen(options.families)) {
+    for (const QuestionFamily* family : chosen(options.families)) {
         const FuzzTally& tally =
             tallies.emplace_back(fuzz(*family, options.fuzz, progress_of(std::string(family->name))));
         different += tally.different;
         for (const FuzzFailure& failure : tally.failures) {
             const std::filesystem::path file =
                 std::filesystem::path(options.failures) /
-                fmt::format("{}_{}_{}_{}.json", tally.family, options.fuzz.seed, failure.block, failure.query);
+                fmt::format("{}_{}_{}_{}.json", tally.family, options.fuzz.seed, failure.block, failure.number);
             write_report(file, failure_json(failure, tally.family, options.fuzz));
             fmt::print(stderr, "{}: {}\n", file.string(), failure.what);
         }

@@ -27,7 +27,7 @@ std::string method_in(const std::string& file) {
 
 /// @return true if the answer is wrong
 bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
-    const DecisionQuery& query = block.queries[q];
+    const ContactQuery& query = block.queries[q];
     fmt::print("{}", every_answer(block.tool, query));
     const Judgement judgement = judge(block.tool, query, method, Scrutiny::full);
     std::string wrong = judgement.wrong;

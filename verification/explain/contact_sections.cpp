@@ -41,8 +41,9 @@ std::string settled_text(const AccountInput& input, const NodeAccount& account, 
     const Vec3 y = input.inspect.tool_frame(input.node, input.motion);
     const std::vector<int> segments = input.inspect.candidates(input.node, y);
     const ShapeOf shape_of = [&](int segment) { return input.inspect.shape(segment); };
-    const double margin = decision_margin({y, segments, shape_of, input.inspect.reach(input.node),
-                                           input.inspect.limits(), input.inspect.proximity_competes()});
+    const ContactQuery query =
+        query_of(y, input.inspect.reach(input.node), input.inspect.limits(), input.inspect.proximity_competes());
+    const double margin = decision_margin(query, {segments, shape_of});
     return fmt::format("{}; margin to another decision {:.3g} {}, {:.3g} ulp", name(account.node.decision.stage),
                        margin, length, in_ulps(margin, y));
 }

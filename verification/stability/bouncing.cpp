@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/stability/bench_scene.h"
+#include "verification/stability/long_run_scene.h"
 #include "verification/stability/long_runs.h"
 
 namespace type21::stability {
@@ -63,12 +63,11 @@ LongRun bouncing(const MakeContact& make_contact, long cycles, double viss) {
     run.statement =
         fmt::format("a node under a constant load bounces on a flat tool, VISs {}, omega dt {}", viss, omega_step);
     run.cycles = cycles;
-    BenchScene bench(make_tool(Shape::flat, Mesh::quad), {Vec3(0.3, 0.4, gap + drop)});
-    bench.card().viss.value = viss;
-    bench.load(bench.blank_node(0), 2, -node_mass * acceleration, 0);
-    bench.steps(step, cycles);
-    const HostScene scene = bench.scene();
-    const auto at = static_cast<size_t>(bench.blank_node(0));
+    SceneBuilder builder = long_run_scene(make_tool(Shape::flat, Mesh::quad), {Vec3(0.3, 0.4, gap + drop)});
+    builder.viss(viss).load(builder.blank_node(0), 2, -node_mass * acceleration);
+    set_cycles(builder, step, cycles);
+    const HostScene scene = builder.scene();
+    const auto at = static_cast<size_t>(builder.blank_node(0));
 
     Bounces bounces;
     bool touching = false;
@@ -101,18 +100,18 @@ LongRun bouncing(const MakeContact& make_contact, long cycles, double viss) {
             const double kinetic = 0.5 * node_mass * speed * speed;
             // Undamped: gain of a bounce. Damped: what is left of the energy, against the differential equation;
             // not where the load nearly holds the node, since whether it leaves hangs on little there.
-            double judged = (energy - start_of_flight) / kinetic;
+            double change = (energy - start_of_flight) / kinetic;
             bool counts = true;
             if (viss > 0) {
                 const double expected = speed_after(entry_speed, zeta_of_scheme, omega);
                 counts = entry_speed > 2 * acceleration / omega;
-                judged = (speed * speed - expected * expected) / (entry_speed * entry_speed);
+                change = (speed * speed - expected * expected) / (entry_speed * entry_speed);
             }
             if (counts) {
                 ++bounces.count;
-                bounces.sum += judged;
-                bounces.least = std::min(bounces.least, judged);
-                bounces.most = std::max(bounces.most, judged);
+                bounces.sum += change;
+                bounces.least = std::min(bounces.least, change);
+                bounces.most = std::max(bounces.most, change);
             }
             start_of_flight = energy;
         }
@@ -124,7 +123,7 @@ LongRun bouncing(const MakeContact& make_contact, long cycles, double viss) {
 
     const auto count = static_cast<double>(bounces.count);
     const double square = omega_step * omega_step;
-    run.findings.push_back({"bounces judged", count, "-", 3, HUGE_VAL, "some, else nothing is shown"});
+    run.findings.push_back({"bounces compared", count, "-", 3, HUGE_VAL, "some, else nothing is shown"});
     // Adding a constant to a speed of size v rounds by eps v / 2, n times; the flight has at most some 1000 cycles.
     run.findings.push_back({"energy in free flight, largest relative drift of one flight", bounces.flight_drift, "-", 0,
                             4000 * eps, "the scheme keeps 1/2 m v_- v_+ + m a z: rounding only"});

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/stability/bench_scene.h"
+#include "verification/stability/long_run_scene.h"
 #include "verification/stability/long_runs.h"
+#include "verification/support/prescribed_motion.h"
 
 namespace type21::stability {
 namespace {
@@ -29,7 +30,7 @@ Vec3 on_circle(long phase, bool convex) {
 /// The circle's middle lies beside the ridge, so that no symmetry makes a drift cancel.
 constexpr double ridge = -0.1;
 
-/// What one turn left behind.
+/// The forces and the work of one turn.
 struct Turn {
     std::vector<double> normal_force;
     std::vector<Vec3> friction;
@@ -51,10 +52,8 @@ double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b
     return largest;
 }
 
-BenchScene fold_scene(bool convex) {
-    BenchScene bench(make_fold(convex, slope, ridge), {on_circle(0, convex)});
-    bench.card().fric.value = friction;
-    return bench;
+SceneBuilder fold_scene(bool convex) {
+    return long_run_scene(make_fold(convex, slope, ridge), {on_circle(0, convex)}).fric(friction);
 }
 
 }  // namespace
@@ -63,7 +62,8 @@ LongRun circling(const MakeContact& make_contact, long cycles, bool convex) {
     LongRun run;
     run.name = convex ? "fold_convex" : "fold_concave";
     run.statement =
-        "a led node circles over a fold of 120 degrees, friction 0.2, 1000 cycles a turn, the same bits every turn";
+        "a node moves in a circle over a fold of 120 degrees, friction 0.2, 1000 cycles a turn, the same bits every "
+        "turn";
     run.cycles = cycles;
     PrescribedNode node(fold_scene(convex).scene(), make_contact);
     // The speeds come from a table, too: the difference across the seam of the circle is that of every turn.
@@ -114,9 +114,9 @@ LongRun circling(const MakeContact& make_contact, long cycles, bool convex) {
          "at least one, else nothing is shown"},
         {"normal force, largest F_n of a turn", force, "N", 1, HUGE_VAL, "there is a force"},
         {"normal force, largest drift from turn to turn", normal_drift, "N", 0, 0,
-         "0: F_n is a function of the position alone, and the positions repeat their bits"},
+         "0: F_n is a function of the position only, and the positions repeat their bits"},
         {"friction force, largest drift from turn to turn", friction_drift, "N", 0, friction_bound,
-         "slip forgets: 8 eps F_t x (stick length / travel of a cycle), whatever the number of turns"},
+         "slip forgets its history: 8 eps F_t x (stick length / travel of a cycle), whatever the number of turns"},
         {"friction work of a turn", second.slip_work, "mJ", 0, HUGE_VAL, "positive: friction takes energy"},
         {"friction work, largest drift from turn to turn", work_drift, "mJ", 0,
          friction_bound * 2 * std::numbers::pi * radius, "drift of the force x length of the circle"},
@@ -133,11 +133,10 @@ LongRun turning(const MakeContact& make_contact, long cycles) {
     run.statement =
         "a tool with a convex fold of 120 degrees turns under a held node, 1000 cycles a turn, through the march";
     run.cycles = cycles;
-    BenchScene bench = fold_scene(true);
-    bench.hold(bench.blank_node(0));
-    bench.turn_tool(5, 2 * std::numbers::pi / (points * step));
-    bench.steps(step, cycles);
-    const HostScene scene = bench.scene();
+    SceneBuilder builder = fold_scene(true);
+    builder.hold(builder.blank_node(0)).drive(builder.main_node(), 5, 2 * std::numbers::pi / (points * step));
+    set_cycles(builder, step, cycles);
+    const HostScene scene = builder.scene();
 
     std::vector<double> second(points, 0.0);
     double largest = 0;

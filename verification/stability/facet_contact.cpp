@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "verification/stability/bench_scene.h"
+#include "verification/stability/long_run_scene.h"
 
 namespace type21::stability {
 namespace {
@@ -30,7 +30,7 @@ Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     return nearest;
 }
 
-FacetContact::FacetContact(const Tool& tool) {
+FacetContact::FacetContact(const SurfaceMesh& tool) {
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         facets_.push_back({a, b, c, (b - a).cross(c - a).normalized()});
     };

@@ -1,4 +1,4 @@
-/// @file Contact with plain facet normals, to compare with: the nearest facet, its own normal, nothing interpolated.
+/// @file Contact with plain facet normals, for comparison: the nearest facet and its own normal, nothing interpolated.
 #pragma once
 
 #include "verification/stability/tool_shapes.h"
@@ -13,9 +13,10 @@ struct FacetForce {
 /// Facets are the sub-triangles of the method (a quad: four about its middle), so that both see the same surface.
 class FacetContact {
   public:
-    explicit FacetContact(const Tool& tool);
-    /// p = g - distance to the nearest facet along its normal.
-    /// @param travel  of the node in this step, any length
+    explicit FacetContact(const SurfaceMesh& tool);
+    /// The force on a node at x [mm], with p = g - distance to the nearest facet along its normal.
+    /// @param travel    of the node in this step, any length [mm]
+    /// @param friction  mu [-]
     FacetForce at(const Vec3& x, const Vec3& travel, double friction) const;
 
   private:

@@ -1,5 +1,5 @@
-/// @file The long runs: each a scene, a number of cycles, and what must stay as it is. Issue of time, not of precision:
-/// a scheme may err, but the error must not grow faster than theory says.
+/// @file The long runs: each a scene, a number of cycles, and numbers that must keep their bounds. A scheme has errors,
+/// but they must not grow with time faster than theory says.
 #pragma once
 
 #include <string_view>
@@ -12,14 +12,15 @@ namespace type21::stability {
 
 struct LongRunKind {
     std::string_view name;
-    long cycles;  ///< that it runs unless told otherwise
+    long cycles;  ///< default number
     LongRun (*run)(const MakeContact& make_contact, long cycles);
 };
 
 /// In the order in which they are shown.
 const std::vector<LongRunKind>& long_runs();
 
-/// A led node circles over the fold between two planes of 30 degrees slope; the path is closed and repeats its bits.
+/// A node is moved in a circle over the fold between two planes of 30 degrees slope; the path is closed and repeats its
+/// bits.
 LongRun circling(const MakeContact& make_contact, long cycles, bool convex);
 
 /// The tool with the fold turns under a held node: the same circle, but the pose is accumulated step by step.

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/stability/bench_scene.h"
+#include "verification/stability/long_run_scene.h"
 #include "verification/stability/long_runs.h"
 
 namespace type21::stability {
@@ -17,7 +17,8 @@ constexpr double omega_step = 0.1;  ///< sqrt(k/m) dt [-]
 constexpr double eps = std::numeric_limits<double>::epsilon();
 const Vec3 pull(0.8, 0.6, 0);  ///< direction of the tangential load, oblique to every axis
 
-struct Spread {
+/// Range and mean of one quantity.
+struct Range {
     double low = HUGE_VAL, high = -HUGE_VAL, sum = 0;
     long count = 0;
 
@@ -31,9 +32,10 @@ struct Spread {
     double mean() const { return sum / static_cast<double>(count); }
 };
 
-/// Of one node over one part of the run.
-struct Watch {
-    Spread normal, tangential, place;
+/// One node over one part of the run.
+struct NodeRanges {
+    Range normal, tangential;  ///< force [N]
+    Range place;               ///< along the pull [mm]
 };
 
 }  // namespace
@@ -51,34 +53,33 @@ LongRun resting(const MakeContact& make_contact, long cycles, double share) {
     run.cycles = cycles;
     const double z = gap - weight / stiffness;
     const std::vector<Vec3> corners{{-1.3, -0.9, z}, {0.7, -0.9, z}, {0.7, 1.1, z}, {-1.3, 1.1, z}};
-    BenchScene bench(make_tool(Shape::flat, Mesh::quad), corners);
-    bench.card().viss.value = 1.0;
-    bench.card().fric.value = friction;
+    SceneBuilder builder = long_run_scene(make_tool(Shape::flat, Mesh::quad), corners);
+    builder.viss(1.0).fric(friction);
     for (int i = 0; i < 4; ++i) {
-        bench.load(bench.blank_node(i), 2, -weight, 0);
-        bench.load(bench.blank_node(i), 0, tangential * pull.x(), ramp);
-        bench.load(bench.blank_node(i), 1, tangential * pull.y(), ramp);
+        builder.load(builder.blank_node(i), 2, -weight)
+            .load(builder.blank_node(i), 0, tangential * pull.x(), ramp)
+            .load(builder.blank_node(i), 1, tangential * pull.y(), ramp);
     }
-    bench.steps(step, cycles);
-    const HostScene scene = bench.scene();
+    set_cycles(builder, step, cycles);
+    const HostScene scene = builder.scene();
 
     // The load is up at a fifth of the run. Two windows behind it: from 3/10 to 6/10 and from 7/10 to the end.
-    std::array<std::array<Watch, 2>, 4> watch;
+    std::array<std::array<NodeRanges, 2>, 4> ranges;
     double slips = 0;
     double history_error = 0;
     const auto observe = [&](const CycleRecord& record) {
         const long tenth = 10 * record.cycle / cycles;
         for (size_t i = 0; i < 4; ++i) {
             const NodeContact& node = (*record.contacts)[0].nodes[i];
-            const Vec3& x = record.motion->position[static_cast<size_t>(bench.blank_node(static_cast<int>(i)))];
+            const Vec3& x = record.motion->position[static_cast<size_t>(builder.blank_node(static_cast<int>(i)))];
             if (node.status != Status::stick) ++slips;
-            // While it sticks the friction on the tool is k times the way: the history must not run away from it.
+            // While it sticks the friction on the tool is k times the way: the history must not drift away from it.
             history_error =
                 std::max(history_error,
                          (node.friction - stiffness * Vec3((x - corners[i]).x(), (x - corners[i]).y(), 0)).norm());
             const int window = tenth >= 7 ? 1 : tenth >= 3 && tenth < 6 ? 0 : -1;
             if (window < 0) continue;
-            Watch& w = watch[i][static_cast<size_t>(window)];
+            NodeRanges& w = ranges[i][static_cast<size_t>(window)];
             w.normal.add(node.normal_force);
             w.tangential.add(node.friction.dot(pull));
             w.place.add((x - corners[i]).dot(pull));
@@ -91,8 +92,8 @@ LongRun resting(const MakeContact& make_contact, long cycles, double share) {
     double growth = 0;
     double force_error = 0;
     double creep = 0;
-    for (const auto& node : watch) {
-        for (const Watch& w : node) {
+    for (const auto& node : ranges) {
+        for (const NodeRanges& w : node) {
             normal_jitter = std::max(normal_jitter, w.normal.width());
             friction_jitter = std::max(friction_jitter, w.tangential.width());
             force_error = std::max(force_error, std::abs(w.tangential.mean() - tangential));

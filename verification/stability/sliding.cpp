@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/stability/bench_scene.h"
 #include "verification/stability/facet_contact.h"
+#include "verification/stability/long_run_scene.h"
+#include "verification/support/prescribed_motion.h"
 
 namespace type21::stability {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 constexpr double path_length = 10.0;  ///< arc of the path [mm]
 constexpr double path_start = -5.1;   ///< [mm]
 constexpr double drift = 0.37;        ///< y per arc: the path crosses edges and diagonals at no special angle
-/// Not judged: the way that friction needs to slip and to forget its start, exp(-way k / (mu F_n)) < 1e-14 [mm].
+/// The first part of the path does not count: friction has to slip and to forget its start, exp(-way k / (mu F_n)) <
+/// 1e-14 [mm].
 constexpr double run_in = 2.0;
 
 Vec3 on_path(Shape shape, double way) {
@@ -44,11 +46,9 @@ SlidingRow slide_over(const MakeContact& make_contact, Shape shape, Mesh mesh) {
     SlidingRow row;
     row.shape = shape;
     row.mesh = mesh;
-    const Tool tool = make_tool(shape, mesh);
+    const SurfaceMesh tool = make_tool(shape, mesh);
     const FacetContact facets(tool);
-    BenchScene bench(tool, {on_path(shape, 0)});
-    bench.card().fric.value = path_friction;
-    const HostScene scene = bench.scene();
+    const HostScene scene = long_run_scene(tool, {on_path(shape, 0)}).fric(path_friction).scene();
     for (size_t i = 0; i < path_steps; ++i) {
         const double h = first_step / std::pow(2.0, static_cast<double>(i));
         const long cycles = std::lround(path_length / h);

@@ -1,4 +1,4 @@
-/// @file Sliding continuity: what of the jump of the force between neighbouring steps does not vanish with the step.
+/// @file Sliding continuity: the part of the force's jump from one step to the next that does not vanish with the step.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 namespace type21::stability {
 
 inline constexpr int path_steps = 5;        ///< the first and four halvings
-inline constexpr double first_step = 0.02;  ///< way of a cycle on the coarsest path [mm]
+inline constexpr double first_step = 0.02;  ///< travel in a cycle on the coarsest path [mm]
 inline constexpr double path_depth = 0.3;   ///< penetration over the smooth tool [mm]
 inline constexpr double path_friction = 0.2;
 
-/// Largest |F_{n+1} - F_n| on the path, for each way of a cycle.
+/// Largest |F_{n+1} - F_n| on the path, for each travel per cycle.
 struct Jumps {
     std::array<double, path_steps> largest{};  ///< [N]
 
@@ -31,7 +31,7 @@ struct SlidingRow {
     int open = 0;                        ///< cycles out of contact
 };
 
-/// A node is led at constant depth over every tool and mesh, obliquely, over some ten elements' borders.
+/// A node is moved at constant depth over every tool and mesh, obliquely, over some ten elements' borders.
 std::vector<SlidingRow> slide_over_all(const MakeContact& make_contact);
 SlidingRow slide_over(const MakeContact& make_contact, Shape shape, Mesh mesh);
 

@@ -11,10 +11,10 @@ std::string to_text(const LongRun& run) {
     std::string text = fmt::format("{}: {}\n  {}\n  {} cycles\n", run.name, run.holds() ? "holds" : "DOES NOT HOLD",
                                    run.statement, run.cycles);
     for (const Finding& finding : run.findings) {
-        const char* verdict = !finding.asked() ? "shown" : finding.holds() ? "holds" : "FAILS";
+        const char* verdict = !finding.has_bound() ? "shown" : finding.holds() ? "holds" : "FAILS";
         text += fmt::format("  {:<5}  {:>13.6g} {:<4}  {}\n", verdict, finding.value, finding.unit, finding.what);
         text += fmt::format("         {:>18}  ", "");
-        if (finding.asked()) text += fmt::format("in [{:.3g}, {:.3g}]: ", finding.at_least, finding.at_most);
+        if (finding.has_bound()) text += fmt::format("in [{:.3g}, {:.3g}]: ", finding.at_least, finding.at_most);
         text += finding.expected + "\n";
     }
     return text;
@@ -24,7 +24,7 @@ std::string to_text(const std::vector<SlidingRow>& rows) {
     std::string text = fmt::format(
         "sliding: largest jump of the force between neighbouring cycles [N], k = 1000 N/mm, penetration {} mm, "
         "friction {}\n"
-        "  a way of {} mm a cycle, halved four times; residual: what does not halve\n\n"
+        "  h = {} mm travel in a cycle, halved four times; residual: the part that does not halve\n\n"
         "  {:<8} {:<10} {:<10}",
         path_depth, path_friction, first_step, "tool", "mesh", "");
     for (int i = 0; i < path_steps; ++i)
@@ -44,19 +44,21 @@ std::string to_text(const std::vector<SlidingRow>& rows) {
            "\n  facets': the residual with the plain normal of the nearest facet on the same path.\n"
            "  Across a common edge the interpolated normal and the distance are continuous (to second order in the "
            "angle of the\n"
-           "  fold times the height), so a jump has another cause: the choice of the piece. A sub-triangle takes a "
-           "node up to\n"
-           "  1 % outside of it, and of all that take it the smallest kappa wins. Where two weights are below 1/3, "
-           "kappa is\n"
-           "  2 (largest weight - 1/3): it does not see on which side of the edge the node is. On flat tools and on "
-           "cylinders\n"
-           "  of quads along the axis both sides weigh alike, or lie in one plane. On distorted quads one side is "
-           "preferred\n"
-           "  over the whole strip of 1 %: the node goes on along the extended facet of a neighbour and changes over "
-           "at the\n"
-           "  end of the strip. The jump is of the order k x 1 % of the element x angle of the fold, and no step makes "
-           "it\n"
-           "  smaller. It is the method's own.\n";
+           "  fold times the height), so a jump has another cause: the choice of the sub-triangle. A sub-triangle "
+           "takes "
+           "a node\n"
+           "  up to 1 % outside of it, and of all that take it the one with the smallest kappa is retained. Where two "
+           "weights\n"
+           "  are below 1/3, kappa is 2 (largest weight - 1/3) and does not depend on which side of the edge the node "
+           "is.\n"
+           "  On flat tools and on cylinders of quads along the axis both sides have the same kappa, or lie in one "
+           "plane. On\n"
+           "  distorted quads one side has the smaller kappa over the whole strip of 1 %: the node follows the "
+           "extended "
+           "facet\n"
+           "  of a neighbour and changes to the other one at the end of the strip. The jump is of the order k x 1 % of "
+           "the\n"
+           "  element x angle of the fold, and no smaller step reduces it. It is a property of the method.\n";
 }
 
 nlohmann::ordered_json to_json(const LongRun& run) {
@@ -71,7 +73,7 @@ nlohmann::ordered_json to_json(const LongRun& run) {
                             {"at_least", bound(finding.at_least)},
                             {"at_most", bound(finding.at_most)},
                             {"expected", finding.expected},
-                            {"asked", finding.asked()},
+                            {"has_bound", finding.has_bound()},
                             {"holds", finding.holds()}});
     return {{"name", run.name},
             {"statement", run.statement},

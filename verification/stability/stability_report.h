@@ -18,9 +18,9 @@ std::string to_text(const std::vector<SlidingRow>& rows);
 nlohmann::ordered_json to_json(const LongRun& run);
 nlohmann::ordered_json to_json(const std::vector<SlidingRow>& rows);
 
-/// What must hold of a row: no cycle out of contact, and no residual above its bound.
+/// True when no cycle is out of contact and no residual is above its bound.
 bool holds(const SlidingRow& row);
-/// Largest residual that is let pass beside that of the facets [N].
+/// The largest residual that holds, given the jumps of the facets [N].
 double residual_bound(const SlidingRow& row, const Jumps& facets);
 
 }  // namespace type21::stability

@@ -19,24 +19,6 @@ class Scatter {
     unsigned state_ = 21;
 };
 
-/// Segments over a grid of (elements + 1)^2 nodes, x fastest.
-std::vector<std::array<int, 4>> grid(bool triangles) {
-    std::vector<std::array<int, 4>> segments;
-    const auto at = [](int i, int j) { return j * (elements + 1) + i; };
-    for (int j = 0; j < elements; ++j) {
-        for (int i = 0; i < elements; ++i) {
-            const std::array<int, 4> q{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
-            if (triangles) {
-                segments.push_back({q[0], q[1], q[2], q[2]});
-                segments.push_back({q[0], q[2], q[3], q[3]});
-            } else {
-                segments.push_back(q);
-            }
-        }
-    }
-    return segments;
-}
-
 }  // namespace
 
 std::string_view name(Shape shape) {
@@ -73,40 +55,32 @@ Vec3 over(Shape shape, double s, double y, double distance) {
     return {radius * std::sin(angle), y, sign * (radius * std::cos(angle) - cylinder_radius)};
 }
 
-Tool make_tool(Shape shape, Mesh mesh) {
-    Tool tool;
+SurfaceMesh make_tool(Shape shape, Mesh mesh) {
     Scatter scatter;
     const double half = 0.5 * elements;
-    for (int j = 0; j <= elements; ++j) {
-        for (int i = 0; i <= elements; ++i) {
-            double s = (i - half) * element_size;
-            double y = (j - half) * element_size;
-            double off = 0;
-            if (mesh == Mesh::distorted) {
-                s += 0.25 * element_size * scatter();
-                y += 0.25 * element_size * scatter();
-            } else if (mesh == Mesh::warped) {
-                off = (i + j) % 2 == 0 ? warp : -warp;
-            }
-            tool.node.push_back(over(shape, s, y, off));
+    SurfaceMesh tool = grid(elements, elements, [&](int i, int j) {
+        double s = (i - half) * element_size;
+        double y = (j - half) * element_size;
+        double off = 0;
+        if (mesh == Mesh::distorted) {
+            s += 0.25 * element_size * scatter();
+            y += 0.25 * element_size * scatter();
+        } else if (mesh == Mesh::warped) {
+            off = (i + j) % 2 == 0 ? warp : -warp;
         }
-    }
-    tool.segment = grid(mesh == Mesh::triangle);
+        return over(shape, s, y, off);
+    });
+    if (mesh == Mesh::triangle) tool.segment = split_quads(tool.segment);
     return tool;
 }
 
-Tool make_fold(bool convex, double slope, double ridge) {
-    Tool tool;
+SurfaceMesh make_fold(bool convex, double slope, double ridge) {
     const double half = 0.5 * elements;
-    for (int j = 0; j <= elements; ++j) {
-        for (int i = 0; i <= elements; ++i) {
-            const double x = (i - half) * element_size;
-            const double height = std::tan(slope) * std::abs(x);
-            tool.node.emplace_back(x + ridge, (j - half) * element_size, convex ? -height : height);
-        }
-    }
-    tool.segment = grid(false);
-    return tool;
+    return grid(elements, elements, [&](int i, int j) {
+        const double x = (i - half) * element_size;
+        const double height = std::tan(slope) * std::abs(x);
+        return Vec3(x + ridge, (j - half) * element_size, convex ? -height : height);
+    });
 }
 
 }  // namespace type21::stability

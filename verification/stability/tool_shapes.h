@@ -1,18 +1,11 @@
-/// @file Tools for long runs and sliding: plane, cylinders and folds, each with meshes from plain to bad.
+/// @file Tools of the long runs and sliding paths: plane, cylinders and folds, each with meshes from plain to bad.
 #pragma once
 
-#include <array>
 #include <string_view>
-#include <vector>
 
-#include "reference/contract/vector.h"
+#include "verification/support/scene_builder.h"
 
 namespace type21::stability {
-
-struct Tool {
-    std::vector<Vec3> node;                   ///< [mm]
-    std::vector<std::array<int, 4>> segment;  ///< indices into node; a triangle repeats its third; outward is up
-};
 
 enum class Shape { flat, convex, concave };
 
@@ -34,11 +27,11 @@ inline constexpr double warp = 0.05;             ///< of the nodes of Mesh::warp
 /// The cylinder's axis is parallel to y. Convex: it lies below, the tool is its outside; concave: above, its inside.
 Vec3 over(Shape shape, double s, double y, double distance);
 
-/// A patch of 10 x 10 elements (or twice as many triangles), 20 mm wide, its middle in the origin.
-Tool make_tool(Shape shape, Mesh mesh);
+/// A patch of 10 x 10 elements (or twice as many triangles), 20 mm wide, its middle in the origin. Outward is up.
+SurfaceMesh make_tool(Shape shape, Mesh mesh);
 
 /// Two planes that meet in the line x = ridge, each sloping by `slope` [rad] away from it: down (convex) or up
 /// (concave).
-Tool make_fold(bool convex, double slope, double ridge);
+SurfaceMesh make_fold(bool convex, double slope, double ridge);
 
 }  // namespace type21::stability

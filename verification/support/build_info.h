@@ -1,4 +1,4 @@
-/// @file What made a result: version, compiler, flags, machine.
+/// @file The program that made a result: version, compiler, flags, machine.
 #pragma once
 
 #include <string>

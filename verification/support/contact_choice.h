@@ -1,4 +1,4 @@
-/// @file Who computes the contact: the reference or the optimized implementation.
+/// @file The implementation that computes the contact: the reference or the optimized one.
 #pragma once
 
 #include <string>

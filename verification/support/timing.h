@@ -1,4 +1,4 @@
-/// @file Stop-watch and quantiles, for all that measures time.
+/// @file Stop-watch and quantiles of times.
 #pragma once
 
 #include <ctime>
@@ -6,7 +6,8 @@
 
 namespace type21 {
 
-/// Of one thread its processor time, since others may share the machine; of several the time on the wall.
+/// A stop-watch that runs from its construction. It measures the processor time of the calling thread, since others may
+/// share the machine; for work on several threads it measures wall time.
 class Watch {
   public:
     explicit Watch(bool one_thread) : one_thread_(one_thread), from_(now()) {}
@@ -23,7 +24,16 @@ class Watch {
     double from_;
 };
 
-/// The smallest value that at least this share of the values does not exceed. @param values  not empty
+/// The smallest value that at least this share of the values does not exceed.
+/// @param values  not empty
+/// @param share   0 to 1; 0 gives the minimum
 double percentile(std::vector<double> values, double share);
+
+/// Quantiles of the repeats of one measurement, in the unit of the values (ns).
+struct TimingSpread {
+    double p50 = 0, p95 = 0, max = 0, min = 0;
+};
+/// @throws std::invalid_argument where there is no value
+TimingSpread timing_spread(const std::vector<double>& values);
 
 }  // namespace type21

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "verification/criteria/lockstep/node_scale.h"
-#include "verification/decisions/queries/query.h"
+#include "verification/decisions/queries/decision_block.h"
 
 namespace type21 {
 

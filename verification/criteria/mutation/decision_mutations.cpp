@@ -16,21 +16,17 @@ double above(double value) {
     return std::nextafter(value, infinite);
 }
 
-/// The reference, asked a changed question.
-BreakDecision asked(const std::function<void(DecisionQuery&)>& change) {
-    return [=](const DecisionTool& tool, const DecisionQuery& query) {
-        DecisionQuery changed = query;
+/// The reference, asked another query.
+BreakDecision asked(const std::function<void(ContactQuery&)>& change) {
+    return [=](const DecisionTool& tool, const ContactQuery& query) {
+        ContactQuery changed = query;
         change(changed);
         return decide(tool, changed, DecideWith::reference);
     };
 }
 
-BreakDecision ruled(const DecisionRules& rules) {
-    return [=](const DecisionTool& tool, const DecisionQuery& query) { return decide_by(tool, query, rules); };
-}
-
 /// Segments in the opposite order: the higher rank wins a tie.
-DecisionAnswer ties_reversed(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer ties_reversed(const DecisionTool& tool, const ContactQuery& query) {
     DecisionTool turned = tool;
     std::reverse(turned.segment.begin(), turned.segment.end());
     DecisionAnswer answer = decide(turned, query, DecideWith::reference);
@@ -39,7 +35,7 @@ DecisionAnswer ties_reversed(const DecisionTool& tool, const DecisionQuery& quer
 }
 
 /// The search misses the segment that should be retained.
-DecisionAnswer candidate_dropped(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer candidate_dropped(const DecisionTool& tool, const ContactQuery& query) {
     const DecisionAnswer sound = decide(tool, query, DecideWith::reference);
     if (sound.segment < 0) return sound;
     DecisionTool holed = tool;
@@ -48,18 +44,18 @@ DecisionAnswer candidate_dropped(const DecisionTool& tool, const DecisionQuery& 
     return decide(holed, query, DecideWith::reference);
 }
 
-DecisionAnswer normals_flipped(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer normals_flipped(const DecisionTool& tool, const ContactQuery& query) {
     DecisionTool flipped = tool;
     for (Vec3& normal : flipped.normal)
         normal = -normal;
     return decide(flipped, query, DecideWith::reference);
 }
 
-DecisionAnswer in_double(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer in_double(const DecisionTool& tool, const ContactQuery& query) {
     return decide(tool, query, DecideWith::plain);
 }
 
-DecisionAnswer side_reversed(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer side_reversed(const DecisionTool& tool, const ContactQuery& query) {
     DecisionAnswer answer = decide(tool, query, DecideWith::reference);
     answer.side = -answer.side;
     return answer;
@@ -68,11 +64,6 @@ DecisionAnswer side_reversed(const DecisionTool& tool, const DecisionQuery& quer
 }  // namespace
 
 std::vector<Mutation> decision_mutations() {
-    DecisionRules low, high, competing, leaning;
-    low.limits.low = above(low.limits.low);
-    high.limits.high = std::nextafter(high.limits.high, 0.0);
-    competing.proximity_competes = true;
-    leaning.limits.lift_leaning = true;
     const std::string kappa = "retained impact, kappa";
     return {
         {"gap_one_ulp",
@@ -80,39 +71,41 @@ std::vector<Mutation> decision_mutations() {
          "the gap is one unit in the last place larger",
          {},
          {},
-         asked([](DecisionQuery& q) { q.gap = above(q.gap); })},
+         asked([](ContactQuery& q) { q.gap = above(q.gap); })},
         {"depth_one_ulp",
          "acceptance, DEPTH",
          "DEPTH is one unit in the last place larger",
          {},
          {},
-         asked([](DecisionQuery& q) { q.depth = above(q.depth); })},
+         asked([](ContactQuery& q) { q.depth = above(q.depth); })},
         {"reach_one_ulp",
          "proximity, Drad",
          "the reach of heat exchange is one unit in the last place larger",
          {},
          {},
-         asked([](DecisionQuery& q) { q.reach = q.reach > 0 ? above(q.reach) : 0.0; })},
+         asked([](ContactQuery& q) { q.proximity_reach = q.proximity_reach > 0 ? above(q.proximity_reach) : 0.0; })},
         {"low_border_one_ulp",
          "border, b and c >= -0.01",
          "the limit -0.01 is one unit in the last place higher",
          {},
          {},
-         ruled(low)},
+         asked([](ContactQuery& q) { q.lowest_weight = above(q.lowest_weight); })},
         {"high_border_one_ulp",
          "border, b + c <= 1.01",
          "the limit 1.01 is one unit in the last place lower",
          {},
          {},
-         ruled(high)},
+         asked([](ContactQuery& q) { q.highest_weight_sum = std::nextafter(q.highest_weight_sum, 0.0); })},
         {"tie_reversed", kappa, "the higher segment wins a tie", {}, {}, ties_reversed},
-        {"proximity_competes", kappa, "proximity competes with contact", {}, {}, ruled(competing)},
+        {"proximity_competes", kappa, "proximity competes with contact", {}, {}, asked([](ContactQuery& q) {
+             q.proximity_competes = true;
+         })},
         {"leaning_lifted",
          "projection, step 1",
          "corners are lifted also along normals that lean away from the triangle",
          {},
          {},
-         ruled(leaning)},
+         asked([](ContactQuery& q) { q.lift_leaning = true; })},
         {"candidate_dropped",
          "search",
          "the segment that should be retained is not among the candidates",

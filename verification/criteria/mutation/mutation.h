@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/host/march.h"
-#include "verification/decisions/queries/query.h"
+#include "verification/decisions/queries/decision_block.h"
 
 namespace type21 {
 
@@ -14,7 +14,7 @@ namespace type21 {
 using BreakContact =
     std::function<std::unique_ptr<ContactMethod>(const Scene&, int interface, const MakeContact& sound)>;
 /// The answer to a question with broken rules.
-using BreakDecision = std::function<DecisionAnswer(const DecisionTool&, const DecisionQuery&)>;
+using BreakDecision = std::function<DecisionAnswer(const DecisionTool&, const ContactQuery&)>;
 
 struct Mutation {
     std::string name;    ///< "friction_off"

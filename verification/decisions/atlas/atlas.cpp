@@ -28,7 +28,7 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::vector<std::st
     return files;
 }
 
-/// What the format of decide does not have. Only called for a file that it accepts.
+/// The parts that the format of decide does not have. Only called for a file that has the format.
 void read_words(const fs::path& file, AtlasEntry& entry, std::vector<std::string>& problems) {
     std::ifstream stream(file);
     const auto json = nlohmann::json::parse(stream);
@@ -42,7 +42,7 @@ void read_words(const fs::path& file, AtlasEntry& entry, std::vector<std::string
         problems.push_back(fmt::format("{}: /blocks/0/note: {} notes for {} queries", file.string(), entry.note.size(),
                                        entry.block.queries.size()));
     if (!block.contains("double")) return;
-    // The same reader: the answers of a copy.
+    // Read by the same reader, as the answers of a copy.
     auto copy = json;
     copy["blocks"][0]["answers"] = block.at("double");
     entry.double_answers = decisions_of(copy, file.string() + " (double)", problems).blocks.at(0).answers;
@@ -74,7 +74,7 @@ std::vector<AtlasEntry> read_atlas(const fs::path& folder, const std::vector<std
 std::vector<AtlasAnswer> answers_of(const AtlasEntry& entry, DecideWith method) {
     std::vector<AtlasAnswer> answers;
     for (size_t q = 0; q < entry.block.queries.size(); ++q) {
-        const DecisionQuery& query = entry.block.queries[q];
+        const ContactQuery& query = entry.block.queries[q];
         AtlasAnswer& one = answers.emplace_back();
         one.program = decide(entry.block.tool, query, method);
         one.program.margin = margin(entry.block.tool, query);

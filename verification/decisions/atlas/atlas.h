@@ -1,7 +1,7 @@
-/// @file The atlas of hard cases: small tools and nodes with exact answers that were worked out elsewhere.
+/// @file The atlas of hard cases: small tools and nodes with exact answers that another program computed.
 ///
 /// An entry is a file in the format of decide (decision_json.h), with one block and beside it
-///   "title": what it is, "what": one sentence that says what is hard,
+///   "title": what it is, "what": one sentence about what makes it hard,
 /// in the block "note": a few words for each query, "answers": the exact ones and "double": what plain double
 /// arithmetic answers, both by scripts/exact_decisions.
 #pragma once
@@ -34,7 +34,7 @@ std::vector<AtlasEntry> read_atlas(const std::filesystem::path& folder, const st
 struct AtlasAnswer {
     DecisionAnswer program;  ///< with stage and margin
     DecisionAnswer plain;    ///< by double arithmetic
-    bool ok = false;         ///< the program's is the file's
+    bool ok = false;         ///< the program gives the answer of the file
 };
 
 std::vector<AtlasAnswer> answers_of(const AtlasEntry& entry, DecideWith method);

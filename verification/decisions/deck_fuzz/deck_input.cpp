@@ -22,7 +22,7 @@ bool within(int index, size_t size) {
     return index >= 0 && static_cast<size_t>(index) < size;
 }
 
-/// What every later step relies on without looking again.
+/// What every later step relies on without checking again.
 void check_promises(const Model& model) {
     const auto nodes = static_cast<size_t>(model.nodes.size());
     promise(model.nodes.position.size() == nodes && model.nodal_mass.size() == nodes, "sizes of the nodes");

@@ -10,22 +10,22 @@
 #include "verification/decisions/fuzz/second_opinion.h"
 #include "verification/decisions/queries/decision_json.h"
 #include "verification/decisions/queries/decision_text.h"
-#include "verification/decisions/queries/question.h"
+#include "verification/decisions/queries/tool_candidates.h"
 
 namespace type21 {
 
 namespace {
 
-using JudgePiece = std::function<std::optional<reference::ImpactEnclosure>(const reference::SegmentShape<double>& shape,
-                                                                           int segment, int k)>;
+using Enclose = std::function<std::optional<reference::ImpactEnclosure>(const reference::SegmentShape<double>& shape,
+                                                                        int segment, int k)>;
 
-/// The race among pieces judged by one arithmetic; nothing where it cannot tell.
-std::optional<DecisionAnswer> race(const Question& question, const JudgePiece& judge_piece) {
+/// The retained impact in one arithmetic; nothing where it cannot tell.
+std::optional<DecisionAnswer> retained_by(const ToolCandidates& candidates, const Enclose& enclose) {
     reference::ImpactEnclosure best;
-    for (const int segment : question.segments()) {
-        const auto shape = question.input().shape_of(segment);
+    for (const int segment : candidates.ranks()) {
+        const auto shape = candidates.segments().shape_of(segment);
         for (int k = 1; k <= shape.sub_triangles(); ++k) {
-            const auto one = judge_piece(shape, segment, k);
+            const auto one = enclose(shape, segment, k);
             if (!one) return std::nullopt;
             if (one->kind == Kind::none) continue;
             const int kinds = reference::order_of_kinds(one->kind, best.kind);
@@ -44,10 +44,10 @@ std::string in_words(const std::optional<DecisionAnswer>& answer) {
 }  // namespace
 
 nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::string& family, const FuzzOptions& options) {
-    const auto fails = [&](const SingleQuestion& question) {
-        return !judge(question.tool, question.query, options.method, Scrutiny::full).wrong.empty();
+    const auto fails = [&](const SingleQuery& single) {
+        return !judge(single.tool, single.query, options.method, Scrutiny::full).wrong.empty();
     };
-    const SingleQuestion small = shrink({failure.tool, failure.question}, fails);
+    const SingleQuery small = shrink({failure.tool, failure.query}, fails);
     const Judgement judgement = judge(small.tool, small.query, options.method, Scrutiny::full);
     DecisionFile file;
     file.family = family;
@@ -58,18 +58,17 @@ nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::strin
     json["blocks"][0]["answers"][0].erase("margin_ulps");
     json["with"] = name(options.method);
     json["what"] = judgement.wrong;
-    json["found"] = {{"family", family}, {"seed", options.seed}, {"block", failure.block}, {"query", failure.query}};
+    json["found"] = {{"family", family}, {"seed", options.seed}, {"block", failure.block}, {"query", failure.number}};
     return json;
 }
 
-std::string every_answer(const DecisionTool& tool, const DecisionQuery& query) {
-    const Question question(tool, query);
-    const reference::DecisionInput& input = question.input();
+std::string every_answer(const DecisionTool& tool, const ContactQuery& query) {
+    const ToolCandidates candidates(tool, query);
     const auto by_bound = [&](const auto& shape, int segment, int k) {
-        return reference::judged_by_bound(input, shape, segment, k);
+        return reference::enclosed_by_bound(query, shape, segment, k);
     };
     const auto by_interval = [&](const auto& shape, int segment, int k) {
-        return reference::judged_by_interval(input, shape, segment, k);
+        return reference::enclosed_by_interval(query, shape, segment, k);
     };
     const DecisionAnswer staged = decide(tool, query, DecideWith::reference);
     std::string text;
@@ -77,8 +76,8 @@ std::string every_answer(const DecisionTool& tool, const DecisionQuery& query) {
         text += fmt::format("  {:<20} {}\n", how, answer);
     };
     line("plain double", in_words(decide(tool, query, DecideWith::plain)));
-    line("double with a bound", in_words(race(question, by_bound)));
-    line("interval", in_words(race(question, by_interval)));
+    line("double with a bound", in_words(retained_by(candidates, by_bound)));
+    line("interval", in_words(retained_by(candidates, by_interval)));
     line("rational numbers", in_words(decide(tool, query, DecideWith::exact)));
     line("reference", fmt::format("{}; settled by {}", in_words(staged), name(staged.stage)));
     line("optimized", in_words(decide(tool, query, DecideWith::optimized)));

@@ -18,8 +18,8 @@ namespace type21 {
 /// The failure made small, as the text of a file.
 nlohmann::ordered_json failure_json(const FuzzFailure& failure, const std::string& family, const FuzzOptions& options);
 
-/// One query in the words of every arithmetic: plain double, double with a bound, intervals, rational numbers, in
-/// stages, the optimized contact, the second opinion. A line each.
-std::string every_answer(const DecisionTool& tool, const DecisionQuery& query);
+/// The answers of every arithmetic to one query, one line each: plain double, double with a bound, intervals, rational
+/// numbers, the reference, the optimized implementation, the second opinion; and the margin.
+std::string every_answer(const DecisionTool& tool, const ContactQuery& query);
 
 }  // namespace type21

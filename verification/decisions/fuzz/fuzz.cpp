@@ -25,17 +25,17 @@ void add(FuzzTally& sum, const FuzzTally& part, size_t keep) {
     sum.different += part.different;
     sum.failures.insert(sum.failures.end(), part.failures.begin(), part.failures.end());
     std::sort(sum.failures.begin(), sum.failures.end(), [](const FuzzFailure& a, const FuzzFailure& b) {
-        return a.block != b.block ? a.block < b.block : a.query < b.query;
+        return a.block != b.block ? a.block < b.block : a.number < b.number;
     });
     if (sum.failures.size() > keep) sum.failures.resize(keep);
 }
 
-/// The questions of one block, from the first to `count` of them.
-FuzzTally ask(const Family& family, const FuzzOptions& options, std::uint64_t index, long count) {
+/// The queries of one block, from the first to `count` of them.
+FuzzTally answered(const QuestionFamily& family, const FuzzOptions& options, std::uint64_t index, long count) {
     FuzzTally tally;
     const DecisionBlock block = block_of(family, options.seed, index);
     for (size_t q = 0; q < block.queries.size() && tally.decisions < count; ++q) {
-        const DecisionQuery& query = block.queries[q];
+        const ContactQuery& query = block.queries[q];
         const long number = static_cast<long>(index) * queries_per_block + static_cast<long>(q);
         const bool full = number % options.full_every == 0;
         const Judgement judgement =
@@ -60,7 +60,7 @@ FuzzTally ask(const Family& family, const FuzzOptions& options, std::uint64_t in
 
 }  // namespace
 
-FuzzTally fuzz(const Family& family, const FuzzOptions& options, const std::function<void(double)>& progress) {
+FuzzTally fuzz(const QuestionFamily& family, const FuzzOptions& options, const std::function<void(double)>& progress) {
     const auto start = std::chrono::steady_clock::now();
     const long blocks = (options.count + queries_per_block - 1) / queries_per_block;
     FuzzTally sum;
@@ -69,7 +69,7 @@ FuzzTally fuzz(const Family& family, const FuzzOptions& options, const std::func
     long done = 0;
     in_parallel(static_cast<size_t>(blocks), options.jobs, [&](size_t b) {
         const long before = static_cast<long>(b) * queries_per_block;
-        const FuzzTally part = ask(family, options, b, options.count - before);
+        const FuzzTally part = answered(family, options, b, options.count - before);
         const std::lock_guard guard(lock);
         add(sum, part, options.keep);
         progress(static_cast<double>(++done) / static_cast<double>(blocks));

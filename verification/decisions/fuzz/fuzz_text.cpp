@@ -49,15 +49,14 @@ std::string to_text(const std::vector<FuzzTally>& tallies, const FuzzOptions& op
         text += line(one);
     if (tallies.size() > 1) text += line(total(tallies));
     text += fmt::format(
-        "border: margin below 1e6 ulps, of every {}th decision, which is also compared with rational numbers alone "
-        "and\n"
-        "with the candidates in reverse order; double, interval, exact: the stage that settled it; d. wrong: what "
-        "plain\n"
-        "double gets wrong\n",
+        "border: of every {}th decision, those with a margin below 1e6 ulps; these decisions are also compared with\n"
+        "rational numbers and with the candidates in reverse order. double, interval, exact: the stage that settled\n"
+        "the decision. d. wrong: decisions that plain double would get wrong\n",
         options.full_every);
     for (const FuzzTally& one : tallies)
         for (const FuzzFailure& failure : one.failures)
-            text += fmt::format("{}: block {}, query {}: {}\n", one.family, failure.block, failure.query, failure.what);
+            text +=
+                fmt::format("{}: block {}, query {}: {}\n", one.family, failure.block, failure.number, failure.what);
     return text;
 }
 

@@ -1,4 +1,4 @@
-/// @file What a fuzzing run came to: base rates beside the failures.
+/// @file The result of a fuzzing run: base rates beside the failures.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace type21 {
 
-/// One line a family with its base rates, and the first complaints below.
+/// One line for each question family with its base rates, and the first failures below.
 std::string to_text(const std::vector<FuzzTally>& tallies, const FuzzOptions& options);
 nlohmann::ordered_json to_json(const std::vector<FuzzTally>& tallies, const FuzzOptions& options);
 

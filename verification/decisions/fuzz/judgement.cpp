@@ -8,14 +8,14 @@
 
 #include "verification/decisions/fuzz/second_opinion.h"
 #include "verification/decisions/queries/decision_text.h"
-#include "verification/decisions/queries/question.h"
+#include "verification/decisions/queries/tool_candidates.h"
 
 namespace type21 {
 
 namespace {
 
 /// Coordinates up to 1e60 and down to 1e-60: a height is a volume, and does not fit into a double far beyond.
-bool magnitudes_fit(const DecisionTool& tool, const DecisionQuery& query) {
+bool magnitudes_fit(const DecisionTool& tool, const ContactQuery& query) {
     const auto fits = [](const Vec3& x) {
         return x.cwiseAbs().maxCoeff() < 1e60 && (x.array() == 0 || x.array().abs() > 1e-60).all();
     };
@@ -23,9 +23,9 @@ bool magnitudes_fit(const DecisionTool& tool, const DecisionQuery& query) {
 }
 
 /// Of the retained projection: weights and normal always, height and slope where a double can hold them.
-std::optional<std::string> magnitudes(const DecisionTool& tool, const DecisionQuery& query) {
-    const Question question(tool, query);
-    const reference::StagedImpact impact = staged_impact(question.input());
+std::optional<std::string> magnitudes(const DecisionTool& tool, const ContactQuery& query) {
+    const ToolCandidates candidates(tool, query);
+    const reference::StagedImpact impact = staged_impact(query, candidates.segments());
     if (impact.kind == Kind::none) return std::nullopt;
     const auto& projection = impact.projection;
     if (!std::isfinite(projection.weights.b) || !std::isfinite(projection.weights.c) || !projection.normal.allFinite())
@@ -36,18 +36,18 @@ std::optional<std::string> magnitudes(const DecisionTool& tool, const DecisionQu
     return std::nullopt;
 }
 
-std::optional<std::string> reverse_order(const DecisionTool& tool, const DecisionQuery& query,
+std::optional<std::string> reverse_order(const DecisionTool& tool, const ContactQuery& query,
                                          const DecisionAnswer& answer) {
     std::vector<int> segments = segments_near(tool, query);
     std::reverse(segments.begin(), segments.end());
-    const Question question(tool, query, segments);
-    const reference::StagedImpact impact = staged_impact(question.input());
+    const ToolCandidates candidates(tool, segments);
+    const reference::StagedImpact impact = staged_impact(query, candidates.segments());
     const DecisionAnswer other{impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
     if (other.same_decision(answer)) return std::nullopt;
     return fmt::format("candidates in reverse order: {}; in order: {}", in_words(other), in_words(answer));
 }
 
-std::optional<std::string> in_full(const DecisionTool& tool, const DecisionQuery& query, DecideWith method,
+std::optional<std::string> in_full(const DecisionTool& tool, const ContactQuery& query, DecideWith method,
                                    const Judgement& judgement) {
     const DecisionAnswer rational = decide(tool, query, DecideWith::exact);
     if (!rational.same_decision(judgement.answer))
@@ -62,7 +62,7 @@ std::optional<std::string> in_full(const DecisionTool& tool, const DecisionQuery
 
 }  // namespace
 
-Judgement judge(const DecisionTool& tool, const DecisionQuery& query, DecideWith method, Scrutiny scrutiny) {
+Judgement judge(const DecisionTool& tool, const ContactQuery& query, DecideWith method, Scrutiny scrutiny) {
     Judgement judgement;
     try {
         judgement.expected = second_opinion(tool, query);

@@ -1,4 +1,4 @@
-/// @file One answer, judged.
+/// @file One answer compared with independent ones.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace type21 {
 
-/// How much is asked of an answer.
+/// How much of an answer is checked.
 enum class Scrutiny {
-    decision,  ///< the second opinion agrees
-    full       ///< and so do rational numbers and the reverse order of candidates; margin and magnitudes are numbers
+    decision,  ///< it agrees with the second opinion
+    full  ///< also with rational numbers and with the candidates in reverse order; margin and magnitudes are finite
 };
 
 /// One answer and what is wrong with it.
@@ -18,9 +18,9 @@ struct Judgement {
     DecisionAnswer answer;    ///< of the method; none where it threw
     DecisionAnswer expected;  ///< the second opinion
     double margin = 0;        ///< with Scrutiny::full [length]
-    std::string wrong;        ///< empty where all is well
+    std::string wrong;        ///< what is wrong, in words; empty: nothing
 };
 
-Judgement judge(const DecisionTool& tool, const DecisionQuery& query, DecideWith method, Scrutiny scrutiny);
+Judgement judge(const DecisionTool& tool, const ContactQuery& query, DecideWith method, Scrutiny scrutiny);
 
 }  // namespace type21

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
@@ -95,7 +96,7 @@ bool within(const N& beta, const N& gamma, const N& total) {
 }
 
 template <class N>
-Found<N> found_on(const Triple<N>& p, const std::array<Corner<N>, 3>& corner, const DecisionQuery& query) {
+Found<N> found_on(const Triple<N>& p, const std::array<Corner<N>, 3>& corner, const ContactQuery& query) {
     const Triple<N> e1 = minus(corner[1].place, corner[0].place);
     const Triple<N> e2 = minus(corner[2].place, corner[0].place);
     const Triple<N> ap = minus(p, corner[0].place);
@@ -164,7 +165,7 @@ Found<N> found_on(const Triple<N>& p, const std::array<Corner<N>, 3>& corner, co
     found.side = above >= 0 ? +1 : -1;
     if (nearer(above >= 0 ? query.gap : query.depth))
         found.kind = Kind::contact;
-    else if (above >= 0 && nearer(query.reach))
+    else if (above >= 0 && nearer(query.proximity_reach))
         found.kind = Kind::proximity;
     else
         return {};
@@ -177,7 +178,7 @@ Found<N> found_on(const Triple<N>& p, const std::array<Corner<N>, 3>& corner, co
 }
 
 template <class N>
-Found<N> found_on(const DecisionTool& tool, const DecisionQuery& query, int segment, int k) {
+Found<N> found_on(const DecisionTool& tool, const ContactQuery& query, int segment, int k) {
     const auto& rank = tool.segment[static_cast<size_t>(segment)];
     const auto corner = [&](int j) {
         const size_t i = static_cast<size_t>(rank[static_cast<size_t>(j)]);
@@ -202,7 +203,7 @@ Found<N> found_on(const DecisionTool& tool, const DecisionQuery& query, int segm
 /// A sub-triangle that takes the node, by intervals where they can tell.
 class Candidate {
   public:
-    Candidate(const DecisionTool& tool, const DecisionQuery& query, int segment, int k)
+    Candidate(const DecisionTool& tool, const ContactQuery& query, int segment, int k)
         : tool_(&tool), query_(&query), segment_(segment), triangle_(k) {
         try {
             rough_ = found_on<Interval>(tool, query, segment, k);
@@ -243,7 +244,7 @@ class Candidate {
     }
 
     const DecisionTool* tool_;
-    const DecisionQuery* query_;
+    const ContactQuery* query_;
     int segment_, triangle_;
     Kind kind_ = Kind::none;
     int side_ = 0;
@@ -253,7 +254,7 @@ class Candidate {
 
 /// True where the node is certainly no nearer to the box of a segment than the farthest reach: what is retained is
 /// nearer than that to a point of the segment.
-bool out_of_reach(const DecisionTool& tool, const DecisionQuery& query, int segment) {
+bool out_of_reach(const DecisionTool& tool, const ContactQuery& query, int segment) {
     Interval square(0.0);
     for (int i = 0; i < 3; ++i) {
         double low = HUGE_VAL;
@@ -266,13 +267,14 @@ bool out_of_reach(const DecisionTool& tool, const DecisionQuery& query, int segm
         if (x < low) square += CGAL::square(Interval(low) - Interval(x));
         if (x > high) square += CGAL::square(Interval(x) - Interval(high));
     }
-    const Interval farthest(std::max({query.gap, query.depth, query.reach}));
+    const Interval farthest(std::max({query.gap, query.depth, query.proximity_reach}));
     return square.inf() > 0 && square.inf() >= (farthest * farthest).sup();
 }
 
 }  // namespace
 
-DecisionAnswer second_opinion(const DecisionTool& tool, const DecisionQuery& query) {
+DecisionAnswer second_opinion(const DecisionTool& tool, const ContactQuery& query) {
+    if (!query.as_documented()) throw std::invalid_argument("the second opinion knows the documented limits only");
     const Interval::Protector upward;
     std::optional<Candidate> best;
     bool by_intervals = true;

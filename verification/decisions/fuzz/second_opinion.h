@@ -1,7 +1,7 @@
 /// @file An exact answer by other formulas and other code than the reference's: what the fuzzer compares with.
 ///
-/// The reference follows the text of formulation section 3 in space and divides. Here the same geometry is worked out
-/// in the plane of the sub-triangle and no division is left, so nothing but its definition is shared.
+/// The reference follows Formulation 3 in space, and it divides. Here the same geometry is worked out in the plane of
+/// the sub-triangle, without any division. The two share nothing but the definition.
 ///
 /// With e1 = B - A, e2 = C - A, N = e1 x e2, G = |N|^2, any vector v is (v1 e1 + v2 e2 + v3 N)/G with
 ///   v1 = <v, e2 x N>,   v2 = <v, N x e1>,   v3 = <v, N>.
@@ -16,12 +16,13 @@
 /// e1 and e2 are normal to N, so the side is the sign of h.
 #pragma once
 
-#include "verification/decisions/queries/query.h"
+#include "verification/decisions/queries/decision_block.h"
 
 namespace type21 {
 
-/// All segments of the tool are asked, none is left out because it is far (but for a box that is certainly beyond the
-/// farthest reach). Stage says whether intervals were enough.
-DecisionAnswer second_opinion(const DecisionTool& tool, const DecisionQuery& query);
+/// Every segment of the tool is asked, except one whose box is certainly beyond the farthest reach.
+/// DecisionAnswer::stage says whether intervals were enough.
+/// @throws std::invalid_argument where the limits of the query are not the documented ones
+DecisionAnswer second_opinion(const DecisionTool& tool, const ContactQuery& query);
 
 }  // namespace type21

@@ -9,7 +9,7 @@ namespace type21 {
 
 namespace {
 
-/// To so many significant bits.
+/// Rounded to so many significant bits.
 double rounded(double value, int bits) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent);
@@ -18,10 +18,10 @@ double rounded(double value, int bits) {
 
 class Shrinker {
   public:
-    Shrinker(SingleQuestion question, const std::function<bool(const SingleQuestion&)>& fails)
-        : best_(std::move(question)), fails_(fails) {}
+    Shrinker(SingleQuery single, const std::function<bool(const SingleQuery&)>& fails)
+        : best_(std::move(single)), fails_(fails) {}
 
-    SingleQuestion run() {
+    SingleQuery run() {
         bool smaller = true;
         while (smaller) {
             smaller = false;
@@ -34,7 +34,7 @@ class Shrinker {
     }
 
   private:
-    bool keep_if_failing(const SingleQuestion& smaller) {
+    bool keep_if_failing(const SingleQuery& smaller) {
         if (!fails_(smaller)) return false;
         best_ = smaller;
         return true;
@@ -43,7 +43,7 @@ class Shrinker {
     bool fewer_segments() {
         bool any = false;
         for (size_t s = best_.tool.segment.size(); s-- > 0;) {
-            SingleQuestion smaller = best_;
+            SingleQuery smaller = best_;
             smaller.tool.segment.erase(smaller.tool.segment.begin() + static_cast<long>(s));
             any |= keep_if_failing(smaller);
         }
@@ -57,7 +57,7 @@ class Shrinker {
                 std::array<int, 4> corner = best_.tool.segment[s];
                 if (corner[2] == corner[3]) break;
                 std::rotate(corner.begin(), corner.begin() + static_cast<long>(left_out), corner.end());
-                SingleQuestion smaller = best_;
+                SingleQuery smaller = best_;
                 smaller.tool.segment[s] = {corner[1], corner[2], corner[3], corner[3]};
                 any |= keep_if_failing(smaller);
             }
@@ -65,9 +65,9 @@ class Shrinker {
         return any;
     }
 
-    /// Those that no segment has. Not a try: they cannot matter, but it is asked all the same.
+    /// Leaves out the nodes that no segment has. They cannot matter; it is tried all the same.
     bool fewer_nodes() {
-        SingleQuestion smaller = best_;
+        SingleQuery smaller = best_;
         DecisionTool& tool = smaller.tool;
         for (size_t n = tool.node.size(); n-- > 0;) {
             const int rank = static_cast<int>(n);
@@ -84,12 +84,12 @@ class Shrinker {
         return tool.node.size() < best_.tool.node.size() && keep_if_failing(smaller);
     }
 
-    /// Every number of the question, in a fixed order.
-    static std::vector<double*> numbers(SingleQuestion& question) {
-        std::vector<double*> all{&question.query.gap, &question.query.depth, &question.query.reach};
+    /// Every number of the query and its tool, in a fixed order.
+    static std::vector<double*> numbers(SingleQuery& single) {
+        std::vector<double*> all{&single.query.gap, &single.query.depth, &single.query.proximity_reach};
         for (int i = 0; i < 3; ++i)
-            all.push_back(&question.query.point[i]);
-        for (std::vector<Vec3>* list : {&question.tool.node, &question.tool.normal})
+            all.push_back(&single.query.point[i]);
+        for (std::vector<Vec3>* list : {&single.tool.node, &single.tool.normal})
             for (Vec3& v : *list)
                 for (int i = 0; i < 3; ++i)
                     all.push_back(&v[i]);
@@ -101,7 +101,7 @@ class Shrinker {
         const size_t count = numbers(best_).size();
         for (size_t i = 0; i < count; ++i) {
             for (const int bits : {0, 1, 2, 4, 8, 16, 24, 32, 40, 48}) {
-                SingleQuestion simpler = best_;
+                SingleQuery simpler = best_;
                 double& value = *numbers(simpler)[i];
                 const double shorter = bits == 0 ? 0.0 : rounded(value, bits);
                 if (shorter == value) break;  // no shorter way to write it
@@ -114,14 +114,14 @@ class Shrinker {
         return any;
     }
 
-    SingleQuestion best_;
-    const std::function<bool(const SingleQuestion&)>& fails_;
+    SingleQuery best_;
+    const std::function<bool(const SingleQuery&)>& fails_;
 };
 
 }  // namespace
 
-SingleQuestion shrink(SingleQuestion question, const std::function<bool(const SingleQuestion&)>& fails) {
-    return Shrinker(std::move(question), fails).run();
+SingleQuery shrink(SingleQuery single, const std::function<bool(const SingleQuery&)>& fails) {
+    return Shrinker(std::move(single), fails).run();
 }
 
 }  // namespace type21

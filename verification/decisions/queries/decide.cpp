@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "optimized/projection/query.h"
-#include "verification/decisions/queries/question.h"
+#include "verification/decisions/queries/tool_candidates.h"
 
 namespace type21 {
 
@@ -20,8 +20,8 @@ using Box = Eigen::AlignedBox3d;
 
 constexpr std::array methods{DecideWith::reference, DecideWith::optimized, DecideWith::exact, DecideWith::plain};
 
-double farthest_reach(const DecisionQuery& query) {
-    return std::max({query.gap, query.depth, query.reach});
+double farthest_reach(const ContactQuery& query) {
+    return std::max({query.gap, query.depth, query.proximity_reach});
 }
 
 /// Distance from a point to the box of a segment [length].
@@ -46,7 +46,7 @@ reference::SegmentShape<double> shape_of(const DecisionTool& tool, int segment) 
     return shape;
 }
 
-std::vector<int> segments_near(const DecisionTool& tool, const DecisionQuery& query) {
+std::vector<int> segments_near(const DecisionTool& tool, const ContactQuery& query) {
     constexpr double rounding = 1e-9;
     std::vector<int> found;
     for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
@@ -84,45 +84,37 @@ DecideWith method_named(std::string_view word) {
     throw std::invalid_argument(fmt::format("there is no way '{}' to decide", word));
 }
 
-DecisionAnswer decide(const DecisionTool& tool, const DecisionQuery& query, DecideWith method,
-                      DecisionStageCounts* stage_counts) {
+DecisionAnswer decide(const DecisionTool& tool, const ContactQuery& query, DecideWith method,
+                      DecisionStageCounts* counts) {
     if (method == DecideWith::optimized) {
+        if (!query.as_documented())
+            throw std::invalid_argument("the optimized implementation answers queries with the documented limits only");
         const Decision decision = optimized::decide_query(tool.node, tool.normal, tool.segment, query.point, query.gap,
-                                                          query.depth, query.reach);
+                                                          query.depth, query.proximity_reach);
         return {decision.kind, decision.segment, decision.triangle, decision.side, decision.stage, 0, 0};
     }
-    const Question question(tool, query);
-    const reference::DecisionInput& input = question.input();
+    const ToolCandidates candidates(tool, query);
     reference::StagedImpact impact;
     switch (method) {
         case DecideWith::reference:
-            impact = staged_impact(input, stage_counts);
+            impact = staged_impact(query, candidates.segments(), counts);
             break;
         case DecideWith::optimized:
             break;
         case DecideWith::exact:
-            impact = exact_impact(input);
+            impact = exact_impact(query, candidates.segments());
             break;
         case DecideWith::plain:
-            impact = double_impact(input);
+            impact = double_impact(query, candidates.segments());
             break;
     }
     return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
 }
 
-DecisionAnswer decide_by(const DecisionTool& tool, const DecisionQuery& query, const DecisionRules& rules) {
-    const Question question(tool, query);
-    reference::DecisionInput input = question.input();
-    input.limits = rules.limits;
-    input.proximity_competes = rules.proximity_competes;
-    const reference::StagedImpact impact = staged_impact(input);
-    return {impact.kind, impact.segment, impact.triangle, impact.side, impact.stage, 0, 0};
-}
-
-double margin(const DecisionTool& tool, const DecisionQuery& query) {
-    const Question question(tool, query);
-    const std::vector<int>& segments = question.segments();
-    double margin = decision_margin(question.input());
+double margin(const DecisionTool& tool, const ContactQuery& query) {
+    const ToolCandidates candidates(tool, query);
+    const std::vector<int>& segments = candidates.ranks();
+    double margin = decision_margin(query, candidates.segments());
     // A segment that is too far away cannot matter before its box is in reach.
     for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s)
         if (!std::binary_search(segments.begin(), segments.end(), s))

@@ -44,7 +44,7 @@ nlohmann::ordered_json to_hex(const Vec3& value) {
 
 namespace {
 
-/// Reads one document and notes every complaint with its place, a JSON pointer.
+/// Reads one document. Every complaint comes with its place, a JSON pointer.
 class Reader {
   public:
     Reader(std::string name, std::vector<std::string>& problems) : name_(std::move(name)), problems_(problems) {}
@@ -72,14 +72,13 @@ class Reader {
         }
         const std::string here = fmt::format("{}/{}", place, key);
         const double value = number(object.at(key), here);
-        if (value < 0)
-            complain(here, fmt::format("{} [length] is negative; a length of 0 or more is asked for", value));
+        if (value < 0) complain(here, fmt::format("{} [length] is negative; it must be 0 or more", value));
         return value;
     }
 
     Vec3 vector(const Json& json, const std::string& place) {
         if (!json.is_array() || json.size() != 3) {
-            complain(place, "a vector of three numbers is asked for");
+            complain(place, "this must be a list of three numbers");
             return Vec3::Zero();
         }
         Vec3 value;
@@ -99,7 +98,7 @@ class Reader {
     std::array<int, 4> segment(const Json& json, size_t nodes, const std::string& place) {
         std::array<int, 4> corner{};
         if (!json.is_array() || json.size() != 4) {
-            complain(place, "four ranks of nodes are asked for; a triangle repeats its third");
+            complain(place, "this must be a list of four node indices; a triangle repeats its third");
             return corner;
         }
         for (size_t j = 0; j < 4; ++j) {
@@ -109,7 +108,7 @@ class Reader {
                 corner[j] = json[j].get<int>();
             else
                 complain(fmt::format("{}/{}", place, j),
-                         fmt::format("{} is not the rank of a node: 0 to {}", json[j].dump(), nodes - 1));
+                         fmt::format("{} is not the index of a node: 0 to {}", json[j].dump(), nodes - 1));
         }
         return corner;
     }
@@ -141,7 +140,7 @@ class Reader {
         each("nodes", [&](const Json& j, const std::string& at) { block.tool.node.push_back(vector(j, at)); });
         each("normals", [&](const Json& j, const std::string& at) { block.tool.normal.push_back(vector(j, at)); });
         if (block.tool.normal.size() != block.tool.node.size())
-            complain(place + "/normals", fmt::format("{} normals for {} nodes; one for each node is asked for",
+            complain(place + "/normals", fmt::format("{} normals for {} nodes; each node needs one",
                                                      block.tool.normal.size(), block.tool.node.size()));
         each("segments", [&](const Json& j, const std::string& at) {
             block.tool.segment.push_back(segment(j, block.tool.node.size(), at));
@@ -227,11 +226,11 @@ nlohmann::ordered_json to_json(const DecisionFile& file) {
             one["normals"].push_back(to_hex(normal));
         for (const auto& segment : block.tool.segment)
             one["segments"].push_back(segment);
-        for (const DecisionQuery& query : block.queries)
+        for (const ContactQuery& query : block.queries)
             one["queries"].push_back({{"p", to_hex(query.point)},
                                       {"gap", to_hex(query.gap)},
                                       {"depth", to_hex(query.depth)},
-                                      {"reach", to_hex(query.reach)}});
+                                      {"reach", to_hex(query.proximity_reach)}});
         for (const DecisionAnswer& answer : block.answers)
             one["answers"].push_back(to_json(answer));
         json["blocks"].push_back(std::move(one));

@@ -1,12 +1,13 @@
-/// @file The file format of questions and answers: JSON, numbers as C99 hex floats.
+/// @file The file format of queries and answers: JSON, numbers as C99 hex floats.
 ///
 ///   {"family": "folds", "blocks": [{
 ///      "nodes": [["0x1p+0", "0x0p+0", "0x0p+0"], ...], "normals": [...], "segments": [[0, 1, 5, 4], ...],
 ///      "queries": [{"p": [...], "gap": "0x1p-2", "depth": "0x1p-2", "reach": "0x0p+0"}, ...],
 ///      "answers": [{"segment": 7, "triangle": 1, "side": -1, "kind": "contact"}, ...]}]}
 ///
-/// Plain JSON numbers are read as well; written are hex floats, which lose no bit. `family` and `answers` may be
-/// absent.
+/// Plain JSON numbers are read, too; what is written are hex floats, which lose no bit. "family" is the name of the
+/// question family; it and "answers" may be absent. "reach" is ContactQuery::proximity_reach. The limits of a query are
+/// not part of the format: they are the documented ones.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/decisions/queries/query.h"
+#include "verification/decisions/queries/decision_block.h"
 
 namespace type21 {
 
@@ -23,7 +24,7 @@ namespace type21 {
 std::string to_hex(double value);
 nlohmann::ordered_json to_hex(const Vec3& value);
 
-/// @param problems  every complaint, "FILE: /blocks/0/nodes/3/1 = \"nan\": a finite number is asked for"; the result is
+/// @param problems  every complaint, "FILE: /blocks/0/nodes/3/1 = \"nan\": is not a finite number"; the result is
 ///                  only of use when none was added
 DecisionFile read_decisions(const std::filesystem::path& file, std::vector<std::string>& problems);
 DecisionFile decisions_of(const nlohmann::json& json, const std::string& name, std::vector<std::string>& problems);

@@ -24,7 +24,7 @@ DecisionTally answer_all(DecisionFile& file, DecideWith method) {
         DecisionBlock& block = file.blocks[b];
         std::vector<DecisionAnswer> answers;
         answers.reserve(block.queries.size());
-        for (const DecisionQuery& query : block.queries) {
+        for (const ContactQuery& query : block.queries) {
             DecisionAnswer answer = decide(block.tool, query, method, &tally.stage_counts);
             answer.margin = margin(block.tool, query);
             answer.margin_ulps = in_ulps(answer.margin, query.point);
@@ -46,23 +46,23 @@ DecisionTally answer_all(DecisionFile& file, DecideWith method) {
     return tally;
 }
 
-std::string to_text(const DecisionStageCounts& stage_counts) {
-    const long asked = stage_counts.decisions() - stage_counts.nothing_near;
-    if (asked == 0) return {};
+std::string to_text(const DecisionStageCounts& counts) {
+    const long decided = counts.decisions() - counts.nothing_near;
+    if (decided == 0) return {};
     const auto share = [&](size_t stage) {
-        return 100.0 * static_cast<double>(stage_counts.settled[stage]) / static_cast<double>(asked);
+        return 100.0 * static_cast<double>(counts.settled[stage]) / static_cast<double>(decided);
     };
     // A stage is entered by all that the stages before it left open.
-    const long exact = stage_counts.settled[2];
-    const long interval = exact + stage_counts.settled[1];
+    const long exact = counts.settled[2];
+    const long interval = exact + counts.settled[1];
     std::string text = fmt::format("decisions {}: {:.4g} % settled by double, {:.4g} % by interval, {:.4g} % exactly",
-                                   asked, share(0), share(1), share(2));
-    // The optimized contact looks neither at a clock nor at what plain double would have said.
-    if (stage_counts.seconds[0] > 0)
-        text +=
-            fmt::format("; plain double errs in {}; {:.0f}, {:.0f}, {:.0f} ns for each that entered a stage",
-                        stage_counts.double_wrong, per_decision(stage_counts.seconds[0], asked),
-                        per_decision(stage_counts.seconds[1], interval), per_decision(stage_counts.seconds[2], exact));
+                                   decided, share(0), share(1), share(2));
+    // The optimized contact takes no times and does not ask what plain double would have decided.
+    if (counts.seconds[0] > 0)
+        text += fmt::format(
+            "; plain double would have been wrong in {}; {:.0f}, {:.0f}, {:.0f} ns per decision that entered the stage",
+            counts.double_wrong, per_decision(counts.seconds[0], decided), per_decision(counts.seconds[1], interval),
+            per_decision(counts.seconds[2], exact));
     return text + "\n";
 }
 
@@ -80,14 +80,12 @@ std::string to_text(const DecisionTally& tally) {
     return text;
 }
 
-nlohmann::ordered_json to_json(const DecisionStageCounts& stage_counts) {
+nlohmann::ordered_json to_json(const DecisionStageCounts& counts) {
     nlohmann::ordered_json json;
-    json["nothing_near"] = stage_counts.nothing_near;
-    json["settled"] = {
-        {"double", stage_counts.settled[0]}, {"interval", stage_counts.settled[1]}, {"exact", stage_counts.settled[2]}};
-    json["double_wrong"] = stage_counts.double_wrong;
-    json["seconds"] = {
-        {"double", stage_counts.seconds[0]}, {"interval", stage_counts.seconds[1]}, {"exact", stage_counts.seconds[2]}};
+    json["nothing_near"] = counts.nothing_near;
+    json["settled"] = {{"double", counts.settled[0]}, {"interval", counts.settled[1]}, {"exact", counts.settled[2]}};
+    json["double_wrong"] = counts.double_wrong;
+    json["seconds"] = {{"double", counts.seconds[0]}, {"interval", counts.seconds[1]}, {"exact", counts.seconds[2]}};
     return json;
 }
 

@@ -1,8 +1,8 @@
-// Families by how segments meet.
+// Hard queries: how segments meet.
 #include <algorithm>
 
-#include "verification/decisions/question_families/family.h"
 #include "verification/decisions/question_families/node_positions.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21 {
@@ -85,15 +85,15 @@ DecisionBlock make_t_junctions(Draw& draw) {
     halve_quads(block.tool, draw, draw.one_of({0.0, 0.5}));
     set_normals(block.tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits = limits_for(draw, 1);
+        const QueryReach reach = reach_for(draw, 1);
         if (draw.chance(0.5)) {
-            block.queries.push_back(query_near(draw, block.tool, limits));
+            block.queries.push_back(query_near(draw, block.tool, reach));
             continue;
         }
         const double x = draw.one_of({0.0, crack, 0.5 * crack, -0.005, crack + 0.005});
         const double y = draw.one_of({0.0, 0.25, 0.5, 0.75, 1.0, 2 * draw.unit()});
-        const double z = draw.one_of({0.0, step, 0.5 * limits.gap, limits.gap, -limits.depth});
-        block.queries.push_back({nudged(draw, {x, y, z}), limits.gap, limits.depth, limits.reach});
+        const double z = draw.one_of({0.0, step, 0.5 * reach.gap, reach.gap, -reach.depth});
+        block.queries.push_back(query_at(nudged(draw, {x, y, z}), reach));
     }
     return block;
 }
@@ -116,13 +116,13 @@ DecisionBlock make_medial_axis(Draw& draw) {
     halve_quads(block.tool, draw, draw.one_of({0.0, 0.0, 1.0}));
     set_normals(block.tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        Limits limits = limits_for(draw, radius);
-        limits.gap = draw.one_of({radius, moved(radius, 1), 1.1 * radius, 0.9 * radius});
-        if (draw.chance(0.5)) limits.reach = 1.5 * radius;
+        QueryReach reach = reach_for(draw, radius);
+        reach.gap = draw.one_of({radius, moved(radius, 1), 1.1 * radius, 0.9 * radius});
+        if (draw.chance(0.5)) reach.proximity = 1.5 * radius;
         const double y = draw.one_of({0.0, 0.5 * pitch, pitch, 2 * pitch * draw.unit()});
         const double z = draw.one_of({0.0, 0.0, 0.01 * radius, -0.01 * radius, draw.between(-0.2, 0.2) * radius});
         const double x = draw.one_of({0.0, 0.0, z, draw.between(-0.01, 0.01) * radius});
-        DecisionQuery query{{x, y, z}, limits.gap, limits.depth, limits.reach};
+        ContactQuery query = query_at({x, y, z}, reach);
         if (draw.chance(0.5)) query.point = nudged(draw, query.point);
         block.queries.push_back(query);
     }
@@ -155,8 +155,8 @@ DecisionBlock make_thin_sheets(Draw& draw) {
     halve_quads(tool, draw, draw.one_of({0.0, 0.0, 0.5}));
     set_normals(tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits = limits_for(draw, 1);
-        DecisionQuery query = query_near(draw, tool, limits);
+        const QueryReach reach = reach_for(draw, 1);
+        ContactQuery query = query_near(draw, tool, reach);
         // Between the sheets, and on each of them.
         if (draw.chance(0.5)) query.point.z() -= thickness * draw.one_of({0.5, 1.0, draw.unit()});
         block.queries.push_back(query);

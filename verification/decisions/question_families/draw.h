@@ -41,7 +41,7 @@ class Draw {
 /// A double moved by whole ulps, up or down.
 double moved(double value, int ulps);
 
-/// Cosine and sine from + - x / alone, so that they are the same bits with every mathematical library; within 1e-15.
+/// Cosine and sine from + - x / only, so that they are the same bits with every mathematical library; within 1e-15.
 struct Turn {
     double cosine;
     double sine;

@@ -15,7 +15,7 @@ struct Weights {
 
 /// Places in a triangle where a comparison changes its outcome, and others.
 Weights weights(Draw& draw) {
-    constexpr double low = -0.01;  // the limits of formulation section 3
+    constexpr double low = -0.01;  // Formulation 3, step 2
     constexpr double high = 1.01;
     const double t = draw.one_of({draw.unit(), draw.unit(), 0.25, 0.5});
     switch (draw.below(12)) {
@@ -44,34 +44,34 @@ Weights weights(Draw& draw) {
     }
 }
 
-double height(Draw& draw, const Limits& limits) {
+double height(Draw& draw, const QueryReach& reach) {
     switch (draw.below(8)) {
         case 0:
             return 0;
         case 1:
-            return limits.gap;
+            return reach.gap;
         case 2:
-            return -limits.depth;
+            return -reach.depth;
         case 3:
-            return limits.reach;
+            return reach.proximity;
         case 4:
-            return draw.between(-1.2, 0) * limits.depth;
+            return draw.between(-1.2, 0) * reach.depth;
         case 5:
-            return draw.between(0, 1.2) * limits.reach;
+            return draw.between(0, 1.2) * reach.proximity;
         default:
-            return draw.between(0, 1.2) * limits.gap;
+            return draw.between(0, 1.2) * reach.gap;
     }
 }
 
 }  // namespace
 
-Limits limits_for(Draw& draw, double size) {
-    Limits limits;
+QueryReach reach_for(Draw& draw, double size) {
+    QueryReach reach;
     const double power = draw.power_of_two(-6, -1);
-    limits.gap = size * power * draw.one_of({1.0, 0.8, draw.between(0.5, 1)});
-    limits.depth = draw.one_of({limits.gap, 2 * limits.gap, size * draw.unit()});
-    limits.reach = draw.chance(0.5) ? 0 : limits.gap * draw.one_of({1.0, 2.0, draw.between(1, 3)});
-    return limits;
+    reach.gap = size * power * draw.one_of({1.0, 0.8, draw.between(0.5, 1)});
+    reach.depth = draw.one_of({reach.gap, 2 * reach.gap, size * draw.unit()});
+    reach.proximity = draw.chance(0.5) ? 0 : reach.gap * draw.one_of({1.0, 2.0, draw.between(1, 3)});
+    return reach;
 }
 
 Vec3 nudged(Draw& draw, const Vec3& point) {
@@ -85,7 +85,7 @@ Vec3 nudged(Draw& draw, const Vec3& point) {
     return moved_point;
 }
 
-DecisionQuery query_near(Draw& draw, const DecisionTool& tool, const Limits& limits) {
+ContactQuery query_near(Draw& draw, const DecisionTool& tool, const QueryReach& reach) {
     const auto& corner = tool.segment[static_cast<size_t>(draw.below(static_cast<int>(tool.segment.size())))];
     const auto rank = [&](size_t j) { return static_cast<size_t>(corner[j]); };
     const bool triangle = corner[2] == corner[3];
@@ -101,8 +101,8 @@ DecisionQuery query_near(Draw& draw, const DecisionTool& tool, const Limits& lim
         return (1 - w.b - w.c) * centre(of) + w.b * of[rank(first)] + w.c * of[rank(second)];
     };
     const Vec3 direction = unit_vector(mixed(tool.normal));
-    DecisionQuery query{mixed(tool.node), limits.gap, limits.depth, limits.reach};
-    const double h = height(draw, limits);
+    ContactQuery query = query_at(mixed(tool.node), reach);
+    const double h = height(draw, reach);
     if (h != 0) query.point += h * direction;
     if (draw.chance(0.5)) query.point = nudged(draw, query.point);
     return query;
@@ -110,8 +110,8 @@ DecisionQuery query_near(Draw& draw, const DecisionTool& tool, const Limits& lim
 
 void add_queries(Draw& draw, DecisionBlock& block, double size, int count) {
     for (int i = 0; i < count; ++i) {
-        const Limits limits = limits_for(draw, size);
-        block.queries.push_back(query_near(draw, block.tool, limits));
+        const QueryReach reach = reach_for(draw, size);
+        block.queries.push_back(query_near(draw, block.tool, reach));
     }
 }
 

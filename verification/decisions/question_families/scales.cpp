@@ -1,8 +1,8 @@
-// Families by the size of the numbers.
+// Hard queries: the size of the numbers.
 #include <cmath>
 
-#include "verification/decisions/question_families/family.h"
 #include "verification/decisions/question_families/node_positions.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21 {
@@ -27,8 +27,8 @@ DecisionBlock make_tiny_gap(Draw& draw) {
     place_at(block.tool, size, Vec3(far, -far, far));
     set_normals(block.tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits{1e-9, draw.one_of({1e-9, 2e-9, 1e-6}), draw.one_of({0.0, 2e-9})};
-        block.queries.push_back(query_near(draw, block.tool, limits));
+        const QueryReach reach{1e-9, draw.one_of({1e-9, 2e-9, 1e-6}), draw.one_of({0.0, 2e-9})};
+        block.queries.push_back(query_near(draw, block.tool, reach));
     }
     return block;
 }

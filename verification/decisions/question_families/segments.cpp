@@ -1,8 +1,8 @@
-// Families by the shape of single segments.
+// Hard queries: the shape of single segments.
 #include <array>
 
-#include "verification/decisions/question_families/family.h"
 #include "verification/decisions/question_families/node_positions.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21 {

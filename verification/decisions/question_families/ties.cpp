@@ -1,6 +1,6 @@
-// Families of equal candidates and of limits that are met.
-#include "verification/decisions/question_families/family.h"
+// Hard queries: equal candidates, and limits that are met exactly.
 #include "verification/decisions/question_families/node_positions.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21 {
@@ -12,13 +12,13 @@ DecisionBlock make_on_features(Draw& draw) {
     halve_quads(block.tool, draw, draw.one_of({0.0, 0.0, 1.0}));
     set_normals(block.tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits = limits_for(draw, 2);
+        const QueryReach reach = reach_for(draw, 2);
         const double lattice = draw.one_of({0.25, 0.5, 1.0});
         const double x = lattice * draw.below(33);
         const double y = draw.chance(0.3) ? x : lattice * draw.below(25);
         const double z =
-            draw.one_of({0.0, 0.0, static_cast<double>(step), 0.5 * limits.gap, limits.gap, -0.5 * limits.depth});
-        block.queries.push_back({{x, y, z}, limits.gap, limits.depth, limits.reach});
+            draw.one_of({0.0, 0.0, static_cast<double>(step), 0.5 * reach.gap, reach.gap, -0.5 * reach.depth});
+        block.queries.push_back(query_at({x, y, z}, reach));
     }
     return block;
 }
@@ -35,16 +35,15 @@ DecisionBlock make_mesh_on_mesh(Draw& draw) {
     halve_quads(block.tool, draw, draw.one_of({0.0, 0.0, 0.0, 1.0}));
     set_normals(block.tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits = limits_for(draw, pitch);
+        const QueryReach reach = reach_for(draw, pitch);
         const auto place = [&] {
             const int k = draw.below(9);
             return draw.one_of({at(k / 2), origin + 0.5 * k * pitch, origin + k * pitch / 2, moved(at(k / 2), 1)});
         };
         const double x = place();
         const double y = place();
-        const double z =
-            level + draw.one_of({0.0, 0.5 * limits.gap, limits.gap, -0.5 * limits.depth, 1.5 * limits.gap});
-        block.queries.push_back({{x, y, z}, limits.gap, limits.depth, limits.reach});
+        const double z = level + draw.one_of({0.0, 0.5 * reach.gap, reach.gap, -0.5 * reach.depth, 1.5 * reach.gap});
+        block.queries.push_back(query_at({x, y, z}, reach));
     }
     return block;
 }
@@ -70,10 +69,10 @@ DecisionBlock make_fans(Draw& draw) {
     }
     set_normals(tool);
     for (int i = 0; i < queries_per_block; ++i) {
-        const Limits limits = limits_for(draw, 1);
-        DecisionQuery query = query_near(draw, tool, limits);
+        const QueryReach reach = reach_for(draw, 1);
+        ContactQuery query = query_near(draw, tool, reach);
         if (draw.chance(0.6)) {
-            const double h = draw.one_of({0.0, limits.gap, 0.5 * limits.gap, -0.5 * limits.depth});
+            const double h = draw.one_of({0.0, reach.gap, 0.5 * reach.gap, -0.5 * reach.depth});
             query.point = {0, 0, apex + h};
             if (draw.chance(0.4)) query.point = nudged(draw, query.point);
         }
@@ -94,7 +93,7 @@ DecisionBlock make_limits_met(Draw& draw) {
     constexpr double high = 1.01;
     for (int i = 0; i < queries_per_block; ++i) {
         const double unit = draw.power_of_two(-10, -4) * leg;
-        const Limits limits{5 * unit, draw.one_of({5.0, 10.0}) * unit, draw.one_of({0.0, 5.0, 10.0}) * unit};
+        const QueryReach reach{5 * unit, draw.one_of({5.0, 10.0}) * unit, draw.one_of({0.0, 5.0, 10.0}) * unit};
         Vec3 p(0.25 * leg, 0.5 * leg, 0);
         switch (draw.below(6)) {
             case 0:
@@ -110,14 +109,14 @@ DecisionBlock make_limits_met(Draw& draw) {
                 p = {-3 * 0x1p-10 * leg, 0.5 * leg, 4 * 0x1p-10 * leg};
                 break;
             default:
-                p.z() = draw.one_of({limits.gap, -limits.depth, limits.reach, 0.0});
+                p.z() = draw.one_of({reach.gap, -reach.depth, reach.proximity, 0.0});
                 break;
         }
         if (p.z() == 0) p.z() = draw.one_of({0.0, unit, -unit});
-        DecisionQuery query{p, limits.gap, limits.depth, limits.reach};
+        ContactQuery query = query_at(p, reach);
         if (p.x() < 0 && p.z() == 4 * 0x1p-10 * leg) {
             query.gap = 5 * 0x1p-10 * leg;
-            query.reach = 0;
+            query.proximity_reach = 0;
         }
         const int axis = draw.below(3);
         query.point[axis] = moved(query.point[axis], draw.below(3) - 1);

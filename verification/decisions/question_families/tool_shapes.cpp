@@ -1,20 +1,16 @@
 #include "verification/decisions/question_families/tool_shapes.h"
 
+#include <utility>
+
 #include <Eigen/Geometry>
+
+#include "verification/support/scene_builder.h"
 
 namespace type21 {
 
 DecisionTool sheet(int columns, int rows, const Place& place) {
-    DecisionTool tool;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            tool.node.push_back(place(i, j));
-    const int stride = columns + 1;
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const int first = j * stride + i;
-            tool.segment.push_back({first, first + 1, first + 1 + stride, first + stride});
-        }
+    SurfaceMesh mesh = grid(columns, rows, place);
+    DecisionTool tool{std::move(mesh.node), {}, std::move(mesh.segment)};
     tool.normal.assign(tool.node.size(), Vec3::Zero());
     return tool;
 }

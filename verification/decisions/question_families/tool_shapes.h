@@ -1,9 +1,9 @@
-/// @file Small tools for questions: sheets of quads and triangles, with the nodal normals of a run.
+/// @file Small tools for queries: sheets of quads and triangles, with the nodal normals of a run.
 #pragma once
 
 #include <functional>
 
-#include "verification/decisions/queries/query.h"
+#include "verification/decisions/queries/decision_block.h"
 #include "verification/decisions/question_families/draw.h"
 
 namespace type21 {
@@ -23,7 +23,8 @@ void halve_quads(DecisionTool& tool, Draw& draw, double share);
 /// Adds the segments of another tool, with nodes of their own.
 void append(DecisionTool& tool, const DecisionTool& other);
 
-/// Formulation section 1: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where it cancels.
+/// Nodal normals: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where it cancels.
+/// Formulation 1, step 4.
 void set_normals(DecisionTool& tool);
 
 /// Moves every node to offset + scale x.

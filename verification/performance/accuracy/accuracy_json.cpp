@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Spread& ns) {
-    return {{"p50", ns.p50}, {"p95", ns.p95}, {"max", ns.most}, {"min", ns.least}};
+Json json_of(const TimingSpread& ns) {
+    return {{"p50", ns.p50}, {"p95", ns.p95}, {"max", ns.max}, {"min", ns.min}};
 }
 
 Json json_of(const SceneRow& scene) {
@@ -22,8 +22,8 @@ Json json_of(const SceneRow& scene) {
 }
 
 Json json_of(const ForceErrors& force) {
-    Json json{{"judged", force.judged()}, {"spurious", force.spurious()}, {"not_finite", force.not_finite()}};
-    if (force.judged() == force.not_finite()) return json;  // no number to give
+    Json json{{"judged", force.compared()}, {"spurious", force.spurious()}, {"not_finite", force.not_finite()}};
+    if (force.compared() == force.not_finite()) return json;  // no number to give
     json["ulps_p99"] = force.ulps(0.99);
     json["ulps_max"] = force.ulps(1);
     json["relative_p99"] = force.relative(0.99);
@@ -49,17 +49,14 @@ Json json_of(const MethodRow& row) {
             {"force", json_of(row.score.force)}};
 }
 
-Json json_of(const FunnelRow& stage_counts) {
+Json json_of(const StageCountsRow& row) {
     Json stages = Json::array();
-    for (const StageRow& stage : stage_counts.stages) {
+    for (const StageRow& stage : row.stages) {
         Json one{{"stage", stage.name}, {"settled", stage.settled}, {"timed", stage.timed}};
         if (stage.timed > 0) one["ns"] = json_of(stage.ns);
         stages.push_back(std::move(one));
     }
-    return {{"scene", stage_counts.scene},
-            {"kind", stage_counts.kind},
-            {"implementation", stage_counts.implementation},
-            {"stages", stages}};
+    return {{"scene", row.scene}, {"kind", row.kind}, {"implementation", row.implementation}, {"stages", stages}};
 }
 
 Json json_of(const EffectCost& cost) {
@@ -118,7 +115,7 @@ Json to_json(const Result& result) {
             {"exact_ones_are_right", result.exact_ones_are_right()},
             {"scenes", all_of(result.scenes)},
             {"rows", all_of(result.rows)},
-            {"stage_counts", all_of(result.funnels)},
+            {"stage_counts", all_of(result.stage_counts)},
             {"effects", all_of(result.effects)}};
 }
 

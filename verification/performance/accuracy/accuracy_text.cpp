@@ -23,20 +23,20 @@ std::string table_of(const SceneRow& scene, const Result& result) {
         text += fmt::format(
             "    {:<36} {:>9.4g} {:>9.4g} {:>9.4g} {:>8} {:>6} {:>9} {:>10.3g} {:>10.3g} {:>9.2g} {:>9.2g}{}\n",
             row.implementation.empty() ? row.method : row.implementation + ", " + row.method, row.ns.p50, row.ns.p95,
-            row.ns.most, score.decisions, score.wrong, score.undecided, score.force.ulps(0.99), score.force.ulps(1),
+            row.ns.max, score.decisions, score.wrong, score.undecided, score.force.ulps(0.99), score.force.ulps(1),
             score.force.relative(1), score.force.scaled(1),
             row.exact && score.wrong > 0 ? "  WRONG, and must not be" : "");
     }
     return text;
 }
 
-std::string text_of(const FunnelRow& stage_counts) {
+std::string text_of(const StageCountsRow& row) {
     size_t all = 0;
-    for (const StageRow& stage : stage_counts.stages)
+    for (const StageRow& stage : row.stages)
         all += stage.settled;
-    std::string text = fmt::format("  {} settles", stage_counts.implementation);
+    std::string text = fmt::format("  {} settles", row.implementation);
     const char* mark = " ";
-    for (const StageRow& stage : stage_counts.stages) {
+    for (const StageRow& stage : row.stages) {
         if (stage.settled == 0) continue;
         text += fmt::format("{}{:.3g} % by {} ({:.4g} ns)", mark,
                             100.0 * static_cast<double>(stage.settled) / static_cast<double>(all), stage.name,
@@ -54,7 +54,7 @@ std::string effects_of(const Result& result) {
     for (const EffectCost& cost : result.effects)
         text += fmt::format("  {:<42} {:<10} {:>8.4g} {:>8.4g} {:>8.4g} {:>8.3g} {:>6.3f} +-{:.3f}{}{}\n", cost.effect,
                             cost.implementation, cost.absent.p50, cost.off.p50, cost.on.p50, cost.extra, cost.off_ratio,
-                            cost.off_error, cost.same_program ? "" : "  ANOTHER PROGRAM WHEN OFF",
+                            cost.off_error, cost.same_program ? "" : "  STILL PLANNED WHEN OFF",
                             cost.bytes_off == cost.bytes_absent ? "" : "  HOLDS MEMORY WHEN OFF");
     return text + "  extra: median of on - off, cycle by cycle; +-: standard error of the ratio\n";
 }
@@ -65,8 +65,8 @@ std::string to_text(const Result& result) {
     std::string text;
     for (const SceneRow& scene : result.scenes) {
         text += table_of(scene, result);
-        for (const FunnelRow& stage_counts : result.funnels)
-            if (stage_counts.scene == scene.name) text += text_of(stage_counts);
+        for (const StageCountsRow& row : result.stage_counts)
+            if (row.scene == scene.name) text += text_of(row);
         text += "\n";
     }
     text += effects_of(result);

@@ -7,12 +7,12 @@
 
 namespace type21::accuracy {
 
-std::vector<Asked> all_asked(const std::vector<QuestionBlock>& blocks) {
-    std::vector<Asked> asked;
-    for (const QuestionBlock& block : blocks)
+std::vector<BlockQuery> all_queries(const std::vector<QueryBlock>& blocks) {
+    std::vector<BlockQuery> all;
+    for (const QueryBlock& block : blocks)
         for (size_t q = 0; q < block.queries.size(); ++q)
-            asked.push_back({&block, q, std::make_unique<Question>(block.tool, block.queries[q])});
-    return asked;
+            all.push_back({&block, q, std::make_unique<ToolCandidates>(block.tool, block.queries[q])});
+    return all;
 }
 
 Answer answer_of(const reference::StagedImpact& impact, double gap) {
@@ -24,35 +24,35 @@ Answer answer_of(const reference::StagedImpact& impact, double gap) {
     return answer;
 }
 
-std::vector<Method> arithmetic_methods(const std::vector<Asked>& asked) {
-    using reference::DecisionInput;
-    const auto input = [&asked](size_t q) -> const DecisionInput& { return asked[q].question->input(); };
-    const auto gap = [&asked](size_t q) { return asked[q].query().gap; };
-    const auto none_near = [&asked](size_t q) { return asked[q].question->segments().empty(); };
+std::vector<Method> arithmetic_methods(const std::vector<BlockQuery>& queries) {
+    const auto gap = [&queries](size_t q) { return queries[q].query().gap; };
+    const auto none_near = [&queries](size_t q) { return queries[q].candidates->ranks().empty(); };
     std::vector<Method> methods;
-    methods.push_back({"float", "", "single precision throughout", "arithmetic", false, {}, [=](size_t q) {
-                           return answer_by_float(input(q));
+    methods.push_back({"float", "", "single precision throughout", "arithmetic", false, {}, [&queries](size_t q) {
+                           return answer_by_float(queries[q]);
                        }});
-    methods.push_back({"double", "", "double precision throughout", "arithmetic", false, {}, [=](size_t q) {
-                           return answer_in<double>(input(q), [](double x) { return x; });
+    methods.push_back({"double", "", "double precision throughout", "arithmetic", false, {}, [&queries](size_t q) {
+                           return answer_in<double>(queries[q], [](double x) { return x; });
                        }});
-    methods.push_back(
-        {"double with bound",
-         "",
-         "each double carries a proven bound of its error; where that is not enough it cannot tell",
-         "arithmetic",
-         true,
-         {},
-         [=](size_t q) { return answer_in<reference::Bounded>(input(q), [](const auto& x) { return x.value(); }); }});
-    methods.push_back({"interval",
+    methods.push_back({"double with bound",
                        "",
-                       "intervals of doubles alone; where they overlap it cannot tell",
+                       "each double carries a proven bound on its error; where that is not enough it cannot tell",
                        "arithmetic",
                        true,
                        {},
-                       [=](size_t q) { return answer_by_interval(input(q)); }});
-    methods.push_back({"exact", "", "rational numbers alone", "arithmetic", true, {}, [=](size_t q) {
-                           return answer_of(exact_impact(input(q)), gap(q));
+                       [&queries](size_t q) {
+                           return answer_in<reference::Bounded>(queries[q], [](const auto& x) { return x.value(); });
+                       }});
+    methods.push_back({"interval",
+                       "",
+                       "intervals of doubles; where they overlap it cannot tell",
+                       "arithmetic",
+                       true,
+                       {},
+                       [&queries](size_t q) { return answer_by_interval(queries[q]); }});
+    methods.push_back({"exact", "", "rational numbers", "arithmetic", true, {}, [=, &queries](size_t q) {
+                           return answer_of(exact_impact(queries[q].query(), queries[q].candidates->segments()),
+                                            gap(q));
                        }});
     methods.push_back({"in stages",
                        "reference",
@@ -60,21 +60,22 @@ std::vector<Method> arithmetic_methods(const std::vector<Asked>& asked) {
                        "arithmetic",
                        true,
                        {"nothing near", "double with bound", "interval", "rational numbers"},
-                       [=](size_t q) {
-                           Answer answer = answer_of(staged_impact(input(q)), gap(q));
+                       [=, &queries](size_t q) {
+                           Answer answer =
+                               answer_of(staged_impact(queries[q].query(), queries[q].candidates->segments()), gap(q));
                            answer.stage = none_near(q) ? 0 : answer.stage + 1;
                            return answer;
                        }});
     methods.push_back({"in stages",
                        "optimized",
-                       "double with foreseen bounds, then a proof of a tie, 100 bits, whole numbers",
+                       "double with a-priori error bounds, then a proof of a tie, double-double, integers",
                        "arithmetic",
                        true,
-                       {"nothing near", "double with bound", "proven tie", "100 bits", "whole numbers"},
-                       [=, &asked](size_t q) {
-                           const Asked& one = asked[q];
-                           const OptimizedQuestion question(one.tool(), one.query());
-                           Answer answer = question.among(one.question->segments());
+                       {"nothing near", "double with bound", "proven tie", "double-double", "integers"},
+                       [=, &queries](size_t q) {
+                           const BlockQuery& one = queries[q];
+                           const OptimizedQuery query(one.tool(), one.query());
+                           Answer answer = query.among(one.candidates->ranks());
                            answer.stage = none_near(q) ? 0 : answer.stage + 1;
                            return answer;
                        }});

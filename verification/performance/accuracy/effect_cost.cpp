@@ -69,8 +69,8 @@ std::vector<double> ratio(const std::vector<double>& above, const std::vector<do
 
 size_t bytes(const ContactMethod& contact) {
     size_t sum = 0;
-    for (const EffectMemory& room : contact.memory_by_effect())
-        sum += room.bytes_per_node;
+    for (const EffectMemory& memory : contact.memory_by_effect())
+        sum += memory.bytes_per_node;
     return sum;
 }
 
@@ -91,9 +91,9 @@ EffectCost cost_of(const EffectCard& card, const char* implementation, int nodes
     cost.lean = lean;
     cost.nodes = static_cast<size_t>(nodes) * static_cast<size_t>(nodes);
     cost.cycles = static_cast<size_t>(cycles);
-    cost.absent = spread(absent.ns);
-    cost.off = spread(off.ns);
-    cost.on = spread(on.ns);
+    cost.absent = timing_spread(absent.ns);
+    cost.off = timing_spread(off.ns);
+    cost.on = timing_spread(on.ns);
     std::vector<double> extra;
     extra.reserve(on.ns.size());
     for (size_t i = 0; i < on.ns.size(); ++i)

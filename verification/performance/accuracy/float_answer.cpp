@@ -8,8 +8,8 @@
 
 namespace type21::accuracy {
 
-Answer answer_by_float(const reference::DecisionInput& input) {
-    return answer_in<float>(input, [](float x) { return x; });
+Answer answer_by_float(const BlockQuery& one) {
+    return answer_in<float>(one, [](float x) { return x; });
 }
 
 }  // namespace type21::accuracy

@@ -13,14 +13,14 @@ double error_in_ulps(double got, double exact);
 /// Collects the forces of one method on one scene.
 class ForceErrors {
   public:
-    /// @param got    of the method; 0 where it finds no contact; anything where it cannot hold it [force]
+    /// @param got    force of the method; 0 where it finds no contact; may be infinite or NaN [force]
     /// @param exact  > 0 [force]
-    /// @param scale  magnitude that enters, > 0 [force]
+    /// @param scale  k times the largest length that enters, > 0 [force]
     void add(double got, double exact, double scale);
-    /// A force where there is none to compare with: the exact answer is no contact.
+    /// Counts a force where the exact answer is no contact.
     void add_spurious() { ++spurious_; }
 
-    size_t judged() const { return ulps_.size() + not_finite_; }
+    size_t compared() const { return ulps_.size() + not_finite_; }
     size_t spurious() const { return spurious_; }
     size_t not_finite() const { return not_finite_; }  ///< overflowed or not a number; in no percentile
     /// The smallest of the errors that at least this share of the finite ones does not exceed; 0 for none.

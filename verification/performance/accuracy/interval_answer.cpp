@@ -5,10 +5,10 @@
 
 namespace type21::accuracy {
 
-Answer answer_by_interval(const reference::DecisionInput& input) {
+Answer answer_by_interval(const BlockQuery& one) {
     using reference::Interval;
     const Interval::Upward upward;
-    return answer_in<Interval>(input, [](const Interval& x) { return x.low() + 0.5 * (x.high() - x.low()); });
+    return answer_in<Interval>(one, [](const Interval& x) { return x.low() + 0.5 * (x.high() - x.low()); });
 }
 
 }  // namespace type21::accuracy

@@ -21,41 +21,41 @@ std::vector<size_t> shuffled(size_t count, std::uint64_t seed) {
     return order;
 }
 
-/// A method asked some questions, over and over.
-Timed timed_on(const Method& method, std::vector<size_t> questions) {
-    const size_t count = questions.size();
-    return {[&method, asked = std::move(questions)] {
+/// A method that answers some queries, over and over.
+Timed timed_on(const Method& method, std::vector<size_t> numbers) {
+    const size_t count = numbers.size();
+    return {[&method, numbers = std::move(numbers)] {
                 // The answers are used, so that no compiler leaves them out.
                 [[maybe_unused]] static volatile int sink = 0;
                 int sum = 0;
-                for (const size_t question : asked)
-                    sum += method.answer(question).segment;
+                for (const size_t number : numbers)
+                    sum += method.answer(number).segment;
                 sink = sum;
             },
             count,
             {}};
 }
 
-std::vector<size_t> first_of(const std::vector<size_t>& questions, double seconds_each, double seconds) {
+std::vector<size_t> first_of(const std::vector<size_t>& numbers, double seconds_each, double seconds) {
     const double fit = seconds_each > 0 ? seconds / seconds_each : 1e9;
     const size_t count = std::max(least_timed, static_cast<size_t>(std::min(fit, 1e9)));
-    return {questions.begin(), questions.begin() + static_cast<std::ptrdiff_t>(std::min(count, questions.size()))};
+    return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(count, numbers.size()))};
 }
 
-SceneRow row_of(const SceneKind& kind, const std::vector<QuestionBlock>& blocks, const std::vector<Asked>& asked,
-                const std::vector<Truth>& truths) {
+SceneRow row_of(const SceneKind& kind, const std::vector<QueryBlock>& blocks, const std::vector<BlockQuery>& queries,
+                const std::vector<ExactAnswer>& exact) {
     SceneRow row{std::string(kind.name), std::string(kind.kind), std::string(kind.what)};
-    row.decisions = truths.size();
+    row.decisions = exact.size();
     size_t candidates = 0;
-    for (size_t q = 0; q < truths.size(); ++q) {
-        const Kind found = truths[q].answer.kind;
+    for (size_t q = 0; q < exact.size(); ++q) {
+        const Kind found = exact[q].answer.kind;
         ++(found == Kind::contact ? row.contact : found == Kind::proximity ? row.proximity : row.none);
-        row.forced += truths[q].forced ? 1 : 0;
-        candidates += asked[q].question->segments().size();
+        row.forced += exact[q].forced ? 1 : 0;
+        candidates += queries[q].candidates->ranks().size();
     }
-    for (const QuestionBlock& block : blocks)
+    for (const QueryBlock& block : blocks)
         row.segments += block.tool.segment.size();
-    row.candidates = static_cast<double>(candidates) / static_cast<double>(truths.size());
+    row.candidates = static_cast<double>(candidates) / static_cast<double>(exact.size());
     return row;
 }
 
@@ -64,23 +64,23 @@ void measure_scene(const SceneKind& kind, const Options& options, Result& result
         if (options.progress) options.progress(std::string(kind.name) + ": " + what);
     };
     say("exact answers");
-    const std::vector<QuestionBlock> blocks = kind.make(options.decisions(), options.seed);
-    const std::vector<Asked> asked = all_asked(blocks);
-    std::vector<Truth> truths;
-    truths.reserve(asked.size());
-    for (const Asked& one : asked)
-        truths.push_back(truth_of(one.tool(), one.query()));
-    result.scenes.push_back(row_of(kind, blocks, asked, truths));
+    const std::vector<QueryBlock> blocks = kind.make(options.decisions(), options.seed);
+    const std::vector<BlockQuery> queries = all_queries(blocks);
+    std::vector<ExactAnswer> exact;
+    exact.reserve(queries.size());
+    for (const BlockQuery& one : queries)
+        exact.push_back(exact_answer_of(one.tool(), one.query()));
+    result.scenes.push_back(row_of(kind, blocks, queries, exact));
 
-    say("each method is judged");
-    std::vector<Method> methods = arithmetic_methods(asked);
-    for (Method& method : search_methods(blocks, asked))
+    say("each method is compared with them");
+    std::vector<Method> methods = arithmetic_methods(queries);
+    for (Method& method : search_methods(blocks, queries))
         methods.push_back(std::move(method));
-    const std::vector<size_t> order = shuffled(asked.size(), options.seed);
+    const std::vector<size_t> order = shuffled(queries.size(), options.seed);
     std::vector<Timed> timed;
     std::vector<Score> scores;
     for (const Method& method : methods) {
-        scores.push_back(score(method, truths, order, options.judging_seconds()));
+        scores.push_back(score(method, exact, order, options.comparing_seconds()));
         const double each = scores.back().seconds / static_cast<double>(scores.back().decisions);
         timed.push_back(timed_on(method, first_of(order, each, options.pass_seconds())));
     }
@@ -92,10 +92,10 @@ void measure_scene(const SceneKind& kind, const Options& options, Result& result
     for (size_t m = 0; m < methods.size(); ++m) {
         for (size_t s = 0; s < scores[m].settled.size(); ++s) {
             places.push_back({m, s});
-            const auto& questions = scores[m].settled[s];
+            const auto& numbers = scores[m].settled[s];
             const double each = scores[m].seconds / static_cast<double>(scores[m].decisions);
             timed.push_back(timed_on(
-                methods[m], questions.empty() ? questions : first_of(questions, each, 0.25 * options.pass_seconds())));
+                methods[m], numbers.empty() ? numbers : first_of(numbers, each, 0.25 * options.pass_seconds())));
         }
     }
     say("timed in turn");
@@ -105,17 +105,17 @@ void measure_scene(const SceneKind& kind, const Options& options, Result& result
         const Method& method = methods[m];
         result.rows.push_back({std::string(kind.name), std::string(kind.kind), method.group, method.name,
                                method.implementation, method.what, method.exact, std::move(scores[m]),
-                               spread(timed[m].ns), timed[m].count});
+                               timing_spread(timed[m].ns), timed[m].count});
         if (method.stages.empty()) continue;
-        FunnelRow stage_counts{std::string(kind.name), std::string(kind.kind), method.implementation, {}};
+        StageCountsRow stage_counts{std::string(kind.name), std::string(kind.kind), method.implementation, {}};
         for (size_t p = 0; p < places.size(); ++p) {
             const Timed& pass = timed[methods.size() + p];
             if (places[p].method == m)
                 stage_counts.stages.push_back({method.stages[places[p].stage],
                                                result.rows.back().score.settled[places[p].stage].size(),
-                                               spread(pass.ns), pass.count});
+                                               pass.ns.empty() ? TimingSpread{} : timing_spread(pass.ns), pass.count});
         }
-        result.funnels.push_back(std::move(stage_counts));
+        result.stage_counts.push_back(std::move(stage_counts));
     }
 }
 

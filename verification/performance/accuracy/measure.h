@@ -22,37 +22,37 @@ struct Options {
     int repeats_of_all() const { return repeats > 0 ? repeats : quick ? 21 : 41; }
     /// Decisions of a scene.
     size_t decisions() const { return quick ? 1344 : 20160; }
-    /// Processor time that one method may take to be judged on one scene [s].
-    double judging_seconds() const { return quick ? 0.1 : 1.0; }
+    /// Processor time that one method may take on one scene to be compared with the exact answers [s].
+    double comparing_seconds() const { return quick ? 0.1 : 1.0; }
     /// Processor time of one repeat of one method, about [s].
     double pass_seconds() const { return quick ? 0.0025 : 0.015; }
 };
 
 struct SceneRow {
     std::string name, kind, what;
-    size_t decisions = 0, contact = 0, proximity = 0, none = 0;
-    size_t forced = 0;      ///< with an exact force to compare with
-    size_t segments = 0;    ///< of all its tools
-    double candidates = 0;  ///< segments that may reach a node, mean
+    size_t decisions = 0, contact = 0, proximity = 0, none = 0;  ///< queries, and their exact kinds
+    size_t forced = 0;                                           ///< with an exact force to compare with
+    size_t segments = 0;                                         ///< of all its tools
+    double candidates = 0;                                       ///< segments that may reach a node, mean
 };
 
 struct MethodRow {
     std::string scene, kind, group, method, implementation, what;
     bool exact = false;
     Score score;
-    Spread ns;         ///< for one decision, over the repeats
+    TimingSpread ns;   ///< for one decision, over the repeats
     size_t timed = 0;  ///< decisions in each repeat
 };
 
 struct StageRow {
     std::string name;
     size_t settled = 0;
-    Spread ns;  ///< for one decision that ended here, all stages before it included
+    TimingSpread ns;  ///< for one decision that ended in this stage, all stages before it included
     size_t timed = 0;
 };
 
 /// Which stage settled the decisions of a scene.
-struct FunnelRow {
+struct StageCountsRow {
     std::string scene, kind, implementation;
     std::vector<StageRow> stages;
 };
@@ -61,11 +61,11 @@ struct Result {
     Options options;
     std::vector<SceneRow> scenes;
     std::vector<MethodRow> rows;
-    std::vector<FunnelRow> funnels;
+    std::vector<StageCountsRow> stage_counts;
     std::vector<EffectCost> effects;
     double seconds = 0;  ///< of wall time
 
-    /// No method that promises never to be wrong is.
+    /// True when no method that promises exact decisions was wrong.
     bool exact_ones_are_right() const;
 };
 

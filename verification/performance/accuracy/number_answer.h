@@ -1,4 +1,4 @@
-/// @file A question answered in one type of number.
+/// @file A query answered in one number type.
 #pragma once
 
 #include <cmath>
@@ -9,16 +9,13 @@
 
 namespace type21::accuracy {
 
-/// @param real  Number -> the floating-point type in which the magnitudes are
+/// @param real  Number -> the floating-point number in which the penetration is computed
 template <class Number, class Real>
-Answer answer_in(const reference::DecisionInput& input, const Real& real) {
+Answer answer_in(const BlockQuery& one, const Real& real) {
     using namespace reference;
     Impact<Number> best;
     try {
-        best = retained_impact<Number>(
-            convert_to<Number>(input.point), input.segments,
-            [&](int segment) { return convert_to<Number>(input.shape_of(segment)); }, convert_to<Number>(input.reach),
-            convert_to<Number>(input.limits));
+        best = retained_in<Number>(one.query(), one.candidates->segments());
     } catch (const Undecided&) {
         Answer answer;
         answer.undecided = true;
@@ -29,7 +26,7 @@ Answer answer_in(const reference::DecisionInput& input, const Real& real) {
     const auto& projection = best.projection;
     const auto x = real(projection.normal[0]), y = real(projection.normal[1]), z = real(projection.normal[2]);
     const auto distance = real(projection.height) * std::sqrt(x * x + y * y + z * z) / real(projection.slope);
-    answer.penetration = static_cast<double>(real(Number(input.reach.gap)) - distance);
+    answer.penetration = static_cast<double>(real(Number(one.query().gap)) - distance);
     return answer;
 }
 

@@ -1,4 +1,4 @@
-/// @file A question put to the decision of the optimized implementation.
+/// @file A query in the types of the optimized implementation, and its answer.
 #pragma once
 
 #include <vector>
@@ -32,17 +32,18 @@ inline optimized::SegmentData segment_data(const DecisionTool& tool, int rank) {
     return segment;
 }
 
-class OptimizedQuestion {
+/// Tool and query must outlive it. The limits of the query are the documented ones.
+class OptimizedQuery {
   public:
-    OptimizedQuestion(const DecisionTool& tool, const DecisionQuery& query) : tool_(tool), query_(query) {}
+    OptimizedQuery(const DecisionTool& tool, const ContactQuery& query) : tool_(tool), query_(query) {}
 
     optimized::V3 point() const { return optimized::from(query_.point); }
-    optimized::ContactReach window() const { return {query_.gap, query_.depth, query_.reach}; }
+    optimized::ContactReach reach() const { return {query_.gap, query_.depth, query_.proximity_reach}; }
 
-    /// @param segments  a range of ranks
+    /// The decision among some segments. @param segments  a range of ranks
     template <class Segments>
     Answer among(const Segments& segments) const {
-        optimized::Decider decider(point(), window(), {});
+        optimized::Decider decider(point(), reach(), {});
         for (const int rank : segments)
             decider.add(rank, segment_data(tool_, rank));
         return answer_of(decider.retained([&](int rank) { return segment_data(tool_, rank); }), query_.gap);
@@ -50,7 +51,7 @@ class OptimizedQuestion {
 
   private:
     const DecisionTool& tool_;
-    const DecisionQuery& query_;
+    const ContactQuery& query_;
 };
 
 }  // namespace type21::accuracy

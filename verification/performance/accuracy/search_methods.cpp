@@ -6,7 +6,7 @@
 #include "optimized/search/search.h"
 #include "reference/contact/candidates.h"
 #include "verification/performance/accuracy/optimized_answer.h"
-#include "verification/stability/bench_scene.h"
+#include "verification/support/scene_builder.h"
 
 namespace type21::accuracy {
 
@@ -26,8 +26,8 @@ optimized::Tool tool_of(const DecisionTool& tool) {
 /// What each implementation builds once for a tool.
 class Prepared {
   public:
-    explicit Prepared(const QuestionBlock& block)
-        : scene_(stability::BenchScene({block.tool.node, block.tool.segment}, {}).scene()),
+    explicit Prepared(const QueryBlock& block)
+        : scene_(SceneBuilder().main_node(Vec3::Zero()).tool({block.tool.node, block.tool.segment}).blank({}).scene()),
           surface_(*scene_.host, scene_.model->interfaces[0]),
           candidates_(surface_, reach_of(block)),
           tool_(tool_of(block.tool)),
@@ -38,8 +38,8 @@ class Prepared {
         memory_.reserve(block.queries.size());
         for (size_t q = 0; q < block.queries.size(); ++q) {
             optimized::Memory memory;
-            const OptimizedQuestion question(block.tool, block.queries[q]);
-            search_.find(optimized::from(block.before[q]), question.window(), {}, memory);
+            const OptimizedQuery query(block.tool, block.queries[q]);
+            search_.find(optimized::from(block.before[q]), query.reach(), {}, memory);
             memory_.push_back(memory);
         }
     }
@@ -52,16 +52,16 @@ class Prepared {
     const optimized::Memory& memory(size_t query) const { return memory_[query]; }
 
   private:
-    static double reach_of(const QuestionBlock& block) {
+    static double reach_of(const QueryBlock& block) {
         double reach = 0;
-        for (const DecisionQuery& query : block.queries)
-            reach = std::max({reach, query.gap, query.depth, query.reach});
+        for (const ContactQuery& query : block.queries)
+            reach = std::max({reach, query.gap, query.depth, query.proximity_reach});
         return reach;
     }
-    static optimized::Limits limits_of(const QuestionBlock& block) {
+    static optimized::Limits limits_of(const QueryBlock& block) {
         optimized::Limits limits;
-        for (const DecisionQuery& query : block.queries) {
-            limits.outward = std::max({limits.outward, query.gap, query.reach});
+        for (const ContactQuery& query : block.queries) {
+            limits.outward = std::max({limits.outward, query.gap, query.proximity_reach});
             limits.inward = std::max(limits.inward, query.depth);
         }
         return limits;
@@ -76,53 +76,53 @@ class Prepared {
     std::vector<optimized::Memory> memory_;
 };
 
-using PreparedBlocks = std::map<const QuestionBlock*, std::unique_ptr<Prepared>>;
+using PreparedBlocks = std::map<const QueryBlock*, std::unique_ptr<Prepared>>;
 
 }  // namespace
 
-std::vector<Method> search_methods(const std::vector<QuestionBlock>& blocks, const std::vector<Asked>& asked) {
+std::vector<Method> search_methods(const std::vector<QueryBlock>& blocks, const std::vector<BlockQuery>& queries) {
     const auto prepared = std::make_shared<PreparedBlocks>();
-    for (const QuestionBlock& block : blocks)
+    for (const QueryBlock& block : blocks)
         prepared->emplace(&block, std::make_unique<Prepared>(block));
     // Looked up before the time is taken.
     std::vector<const Prepared*> of;
-    of.reserve(asked.size());
-    for (const Asked& one : asked)
+    of.reserve(queries.size());
+    for (const BlockQuery& one : queries)
         of.push_back(prepared->at(one.block).get());
 
-    const auto staged = [&asked](size_t q, std::vector<int> segments) {
-        const Asked& one = asked[q];
-        const Question question(one.tool(), one.query(), std::move(segments));
-        return answer_of(staged_impact(question.input()), one.query().gap);
+    const auto staged = [&queries](size_t q, std::vector<int> segments) {
+        const BlockQuery& one = queries[q];
+        const ToolCandidates candidates(one.tool(), std::move(segments));
+        return answer_of(staged_impact(one.query(), candidates.segments()), one.query().gap);
     };
-    const auto filtered = [&asked](size_t q, const std::vector<int>& segments) {
-        return OptimizedQuestion(asked[q].tool(), asked[q].query()).among(segments);
+    const auto filtered = [&queries](size_t q, const std::vector<int>& segments) {
+        return OptimizedQuery(queries[q].tool(), queries[q].query()).among(segments);
     };
     std::vector<Method> methods;
     const auto add = [&](const char* name, const char* implementation, const char* what, auto answer) {
         methods.push_back(
             {name, implementation, what, "search", true, {}, [prepared, answer](size_t q) { return answer(q); }});
     };
-    add("all segments", "reference", "every sub-triangle of the tool is asked",
+    add("all segments", "reference", "the node is projected on every sub-triangle of the tool",
         [=](size_t q) { return staged(q, of[q]->all()); });
-    add("tree of boxes", "reference", "segments whose grown box holds the node",
-        [=, &asked](size_t q) { return staged(q, of[q]->candidates(asked[q].query().point)); });
-    add("all segments", "optimized", "every sub-triangle of the tool is asked",
+    add("tree of boxes", "reference", "segments whose grown box contains the node",
+        [=, &queries](size_t q) { return staged(q, of[q]->candidates(queries[q].query().point)); });
+    add("all segments", "optimized", "the node is projected on every sub-triangle of the tool",
         [=](size_t q) { return filtered(q, of[q]->all()); });
-    add("the reference's tree", "optimized", "segments whose grown box holds the node",
-        [=, &asked](size_t q) { return filtered(q, of[q]->candidates(asked[q].query().point)); });
-    add("tree of prisms", "optimized", "segments whose region, in which they take nodes at all, holds the node",
-        [=, &asked](size_t q) {
-            const OptimizedQuestion question(asked[q].tool(), asked[q].query());
-            return answer_of(of[q]->search().search(question.point(), question.window(), {}), asked[q].query().gap);
+    add("the reference's tree", "optimized", "segments whose grown box contains the node",
+        [=, &queries](size_t q) { return filtered(q, of[q]->candidates(queries[q].query().point)); });
+    add("tree of capture volumes", "optimized", "segments whose capture volume contains the node",
+        [=, &queries](size_t q) {
+            const OptimizedQuery query(queries[q].tool(), queries[q].query());
+            return answer_of(of[q]->search().search(query.point(), query.reach(), {}), queries[q].query().gap);
         });
     add("certificates, then the tree", "optimized",
-        "the sub-triangle of the cycle before, where it is proven that no other can take the node",
-        [=, &asked](size_t q) {
-            const OptimizedQuestion question(asked[q].tool(), asked[q].query());
-            optimized::Memory memory = of[q]->memory(asked[q].number);
-            return answer_of(of[q]->search().find(question.point(), question.window(), {}, memory).retained,
-                             asked[q].query().gap);
+        "the sub-triangle of the cycle before, where it is proven that no other can be retained",
+        [=, &queries](size_t q) {
+            const OptimizedQuery query(queries[q].tool(), queries[q].query());
+            optimized::Memory memory = of[q]->memory(queries[q].number);
+            return answer_of(of[q]->search().find(query.point(), query.reach(), {}, memory).retained,
+                             queries[q].query().gap);
         });
     return methods;
 }

@@ -12,11 +12,6 @@ double error_of_median(const std::vector<double>& values) {
     return 1.2533 * deviation / std::sqrt(static_cast<double>(values.size()));
 }
 
-Spread spread(const std::vector<double>& values) {
-    if (values.empty()) return {};
-    return {percentile(values, 0), percentile(values, 0.5), percentile(values, 0.95), percentile(values, 1)};
-}
-
 void interleave(std::vector<Timed>& timed, int repeats) {
     for (int repeat = 0; repeat < repeats; ++repeat) {
         for (size_t i = 0; i < timed.size(); ++i) {

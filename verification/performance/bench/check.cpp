@@ -86,8 +86,8 @@ CheckPart check_deck(const BenchScene& scene, long count) {
 
 CheckPart check_families(long count, int threads) {
     CheckPart part{"adversarial families, decide against exact answers", 0, 0, {}};
-    const long each = std::max<long>(1, count / static_cast<long>(families().size()));
-    for (const Family& family : families()) {
+    const long each = std::max<long>(1, count / static_cast<long>(question_families().size()));
+    for (const QuestionFamily& family : question_families()) {
         FuzzOptions options;
         options.count = each;
         options.method = DecideWith::optimized;
@@ -98,7 +98,7 @@ CheckPart check_families(long count, int threads) {
         part.different += tally.different;
         if (part.first_difference.empty() && !tally.failures.empty())
             part.first_difference = fmt::format("{}, block {}, query {}: {}", family.name, tally.failures[0].block,
-                                                tally.failures[0].query, tally.failures[0].what);
+                                                tally.failures[0].number, tally.failures[0].what);
     }
     return part;
 }

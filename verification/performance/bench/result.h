@@ -41,7 +41,7 @@ struct MethodRow {
     std::string finds;  ///< "impact and forces", "impact", "closest point"
     bool history = false;
     int threads = 1;
-    Spread ns;
+    TimingSpread ns;
     long decisions = 0, wrong = 0;
     std::optional<double> ulps_max;  ///< of forces against the reference
     std::string note;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "verification/performance/bench/generated.h"
+#include "verification/support/scene_builder.h"
 
 namespace type21::bench {
 
@@ -24,18 +25,6 @@ void for_grid(int n, double size, const Put& put) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             put(size * (double(i) / n - 0.5), size * (double(j) / n - 0.5));
-}
-
-/// Its quads, which look up.
-std::vector<std::array<int, 4>> quads(int n) {
-    std::vector<std::array<int, 4>> all;
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            const int a = j * (n + 1) + i;
-            all.push_back({a, a + 1, a + n + 2, a + n + 1});
-        }
-    }
-    return all;
 }
 
 constexpr double length = 2000, width = 1400;  // [mm]
@@ -69,8 +58,8 @@ BenchScene bowl_bench(int blank, int tool) {
     for_grid(blank, blank_size, [&](double x, double y) { parts.nodes.emplace_back(x, y, 0.0); });
     for_grid(tool, tool_size,
              [&](double x, double y) { parts.tool.emplace_back(x, y, 0.3 + (x * x + y * y) / 40000); });
-    parts.blank = quads(blank);
-    parts.segments = quads(tool);
+    parts.blank = grid_segments(blank, blank);
+    parts.segments = grid_segments(tool, tool);
     for (auto& corner : parts.segments)
         std::swap(corner[1], corner[3]);  // it looks down on the blank
     BenchScene out = generated(parts);
@@ -134,7 +123,7 @@ BenchScene ties_bench(int n) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
             parts.tool.emplace_back(8.0 * i, 8.0 * j, 0.0);
-    parts.segments = quads(n);
+    parts.segments = grid_segments(n, n);
     for (int j = 1; j < 2 * n; ++j)
         for (int i = 1; i < 2 * n; ++i)
             parts.nodes.emplace_back(4.0 * i, 4.0 * j, 0.25);

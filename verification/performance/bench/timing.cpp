@@ -5,11 +5,6 @@
 
 namespace type21::bench {
 
-Spread spread(const std::vector<double>& times) {
-    if (times.empty()) throw std::invalid_argument("bench: quantiles of no repeats");
-    return {percentile(times, 0.5), percentile(times, 0.95), percentile(times, 1), percentile(times, 0)};
-}
-
 void Rounds::add(std::string name, std::function<double()> run, int times) {
     methods_.push_back({std::move(name), std::move(run), times, {}});
 }
@@ -39,8 +34,8 @@ bool Rounds::has(const std::string& name) const {
     return std::any_of(methods_.begin(), methods_.end(), [&](const Method& method) { return method.name == name; });
 }
 
-Spread Rounds::of(const std::string& name) const {
-    return spread(times_of(name));
+TimingSpread Rounds::of(const std::string& name) const {
+    return timing_spread(times_of(name));
 }
 
 double Rounds::of_medians(const std::string& slow, const std::string& fast) const {

@@ -9,13 +9,6 @@
 
 namespace type21::bench {
 
-/// Quantiles of repeats [ns]: the smallest number below or at which the share of them lies.
-struct Spread {
-    double p50 = 0, p95 = 0, max = 0, min = 0;
-};
-/// @throws std::invalid_argument without a number
-Spread spread(const std::vector<double>& times);
-
 /// Methods that are compared: each runs once a round, in turn, so that what slows the machine slows all of them.
 class Rounds {
   public:
@@ -29,7 +22,9 @@ class Rounds {
     int run(int repeats, double seconds = 1e9);
     bool has(const std::string& name) const;
 
-    Spread of(const std::string& name) const;
+    /// Quantiles of the repeats [ns].
+    /// @throws std::invalid_argument where nothing of this name was timed
+    TimingSpread of(const std::string& name) const;
     /// Median of the one over the median of the other; and the same of minima.
     double of_medians(const std::string& slow, const std::string& fast) const;
     double of_minima(const std::string& slow, const std::string& fast) const;

@@ -48,9 +48,8 @@ std::vector<Decision> Truth::at(const Motion& motion, size_t most) const {
             const Vec3 y = pose.rotation.transpose() * (motion.position[static_cast<size_t>(node[i])] - pose.position);
             const std::vector<int> near = s.candidates->at(y);
             if (near.empty()) continue;
-            const reference::DecisionInput input{
-                y, near, shape_of, {s.card.secondary.search_gap[i], s.card.depth, 0.0}, {}, false};
-            const reference::StagedImpact impact = staged_impact(input);
+            const ContactQuery query{y, s.card.secondary.search_gap[i], s.card.depth, 0.0};
+            const reference::StagedImpact impact = reference::staged_impact(query, {near, shape_of});
             out[i].kind = impact.kind;
             out[i].segment = impact.segment;
             out[i].triangle = impact.triangle;

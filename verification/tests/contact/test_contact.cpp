@@ -14,11 +14,10 @@ namespace type21::reference {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
 
-/// Positions and velocities of a SmallScene that a test moves by hand.
+/// Positions and velocities of a SceneBuilder that a test moves by hand.
 struct Hand {
-    explicit Hand(SmallScene& scene)
+    explicit Hand(SceneBuilder& scene)
         : small(scene), position(scene.model().nodes.position), velocity(position.size(), Vec3::Zero()) {
         contact = std::make_unique<Contact>(scene.scene(), 0);
         tools.emplace_back();
@@ -35,7 +34,7 @@ struct Hand {
     Vec3& x(int i) { return position[static_cast<size_t>(small.blank_node(i))]; }
     Vec3& v(int i) { return velocity[static_cast<size_t>(small.blank_node(i))]; }
 
-    SmallScene& small;
+    SceneBuilder& small;
     std::vector<Vec3> position;
     std::vector<Vec3> velocity;
     std::vector<ToolMotion> tools;
@@ -43,7 +42,7 @@ struct Hand {
 };
 
 TEST(Contact, FullElasticForceAtTimeZero) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}, {0.2, 0.1, 0.6}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {0.2, 0.1, 0.6}});
     Hand hand(small);
     const ContactStep step = hand.step(0, 0);
     EXPECT_NEAR(step.nodes[0].force.z(), 200, 1e-10);  // k (g - 0.3)
@@ -58,7 +57,7 @@ TEST(Contact, FullElasticForceAtTimeZero) {
 // @manual field Inacti; comment 9
 TEST(Contact, InactiStartsWithAnOffset) {
     for (const int inacti : {1, 5, 6}) {
-        SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+        SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
         small.card().inacti.value = inacti;
         Hand hand(small);
         const ContactStep step = hand.step(0, 0);
@@ -77,7 +76,7 @@ TEST(Contact, InactiStartsWithAnOffset) {
 
 // @manual field VISs; comment 9
 TEST(Contact, FirstCycleOfALaterImpactHasDampingOnly) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.6}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.6}});
     small.card().viss.value = 0.5;
     Hand hand(small);
     hand.step(0, 0);
@@ -100,7 +99,7 @@ TEST(Contact, FirstCycleOfALaterImpactHasDampingOnly) {
 
 // @manual field VISs
 TEST(Contact, DampingPullsWhenTheNodeLeaves) {
-    SmallScene small = over_a_square({{0, 0, 0.49}});
+    SceneBuilder small = over_a_square({{0, 0, 0.49}});
     small.card().viss.value = 1.0;
     Hand hand(small);
     hand.v(0).z() = 3;
@@ -109,7 +108,7 @@ TEST(Contact, DampingPullsWhenTheNodeLeaves) {
 
 // @manual eq 12; field Fric; comment 12, 14
 TEST(Contact, CoulombFrictionBuildsUpAndSlips) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.4}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.4}});
     small.card().fric.value = 0.1;
     Hand hand(small);
     hand.v(0).x() = 0.02;
@@ -127,7 +126,7 @@ TEST(Contact, CoulombFrictionBuildsUpAndSlips) {
 }
 
 TEST(Contact, TheVelocityOfATurningToolIsTakenAtTheContactPoint) {
-    SmallScene small = over_a_square({{0.5, 0, 0.4}});
+    SceneBuilder small = over_a_square({{0.5, 0, 0.4}});
     small.card().viss.value = 1.0;
     Hand hand(small);
     hand.tools[0].velocity = {0, 0, 1};
@@ -137,7 +136,7 @@ TEST(Contact, TheVelocityOfATurningToolIsTakenAtTheContactPoint) {
 }
 
 TEST(Contact, ATurnedToolTurnsTheForce) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
     Hand hand(small);
     const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     const Vec3 shift(4, 5, 6);
@@ -150,12 +149,12 @@ TEST(Contact, ATurnedToolTurnsTheForce) {
 
 // @manual field DEPTH, Tstart, Tstop; comment 4, 20
 TEST(Contact, NoForceDeeperThanDepthOrOutsideTheWindow) {
-    SmallScene small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -2.0}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -2.0}});
     Hand hand(small);
     const ContactStep step = hand.step(0, 0);
     EXPECT_NEAR(step.nodes[0].force.z(), 2490, 1e-9);
     EXPECT_EQ(step.nodes[1].force, Vec3(0, 0, 0));
-    SmallScene late = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder late = over_a_square({{0.2, 0.1, 0.3}});
     late.card().tstart.value = 0.5;
     Hand wait(late);
     EXPECT_FALSE(wait.step(0.4, 0.1).active);
@@ -164,7 +163,7 @@ TEST(Contact, NoForceDeeperThanDepthOrOutsideTheWindow) {
 
 // @manual field Invn; comment 21
 TEST(Contact, InvnNamesTheNodeThatCameFromBehind) {
-    SmallScene small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -1.9}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, -1.99}, {0.2, 0.1, -1.9}});
     small.card().invn.value = 1;
     Hand hand(small);
     const ContactStep step = hand.step(0, 0);
@@ -174,7 +173,7 @@ TEST(Contact, InvnNamesTheNodeThatCameFromBehind) {
 
 // @manual field IBC; comment 7
 TEST(Contact, IbcReleasesOnceAtTheFirstEffectivePenetration) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.6}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.6}});
     small.card().ibc.value = 1;
     Hand hand(small);
     hand.step(0, 0);
@@ -187,7 +186,7 @@ TEST(Contact, IbcReleasesOnceAtTheFirstEffectivePenetration) {
 
 // @manual field Damp, Dampr, IDref; comment 19; departure D13
 TEST(Contact, ToolDampingUsesTheContactStiffness) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
     small.card().damp.value = 0.1;
     small.card().viss.value = 1.0;
     Hand hand(small);
@@ -206,7 +205,7 @@ TEST(Contact, ToolDampingUsesTheContactStiffness) {
 
 // @manual departure D12
 TEST(Contact, AsBuiltANodeOnTheSurfaceHasNoDirection) {
-    SmallScene small = over_a_square({{0.25, 0.125, 0.0}});
+    SceneBuilder small = over_a_square({{0.25, 0.125, 0.0}});
     Hand documented(small);
     const ContactStep good = documented.step(0, 0);
     EXPECT_NEAR(good.nodes[0].force.z(), 500, 1e-10);
@@ -218,7 +217,7 @@ TEST(Contact, AsBuiltANodeOnTheSurfaceHasNoDirection) {
 }
 
 TEST(Contact, InitialPenetrationsAreListedWithNodeAndValue) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.6}, {0.2, 0.1, 0.35}, {5, 5, 0.1}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.6}, {0.2, 0.1, 0.35}, {5, 5, 0.1}});
     const Contact contact(small.scene(), 0);
     const auto found = contact.initial_penetrations();
     ASSERT_EQ(found.size(), 1u);
@@ -228,7 +227,7 @@ TEST(Contact, InitialPenetrationsAreListedWithNodeAndValue) {
 }
 
 TEST(Contact, AnInterfaceThatIsNotThereIsNamed) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
     for (const int interface : {-1, 1}) {
         try {
             make_contact(small.scene(), interface);
@@ -241,7 +240,7 @@ TEST(Contact, AnInterfaceThatIsNotThereIsNamed) {
 }
 
 TEST(Contact, APositionThatIsNotFiniteHasNoImpact) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}, {0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {0.2, 0.1, 0.3}});
     Hand hand(small);
     hand.x(0).x() = std::nan("");
     const ContactStep step = hand.step(0, 0);
@@ -252,7 +251,7 @@ TEST(Contact, APositionThatIsNotFiniteHasNoImpact) {
 
 TEST(Contact, AFirstCallAfterTimeZeroIsAFirstImpact) {
     for (const int inacti : {0, 1, 5, 6}) {
-        SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+        SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
         small.card().inacti.value = inacti;
         Hand hand(small);
         const ContactStep step = hand.step(1e-3, 1e-3);

@@ -11,11 +11,10 @@ namespace type21::reference {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
 
 /// P0 of one node that stays away from the tool at time 0, then penetrates by 0.2 and by 0.1; gap 0.5, Inacti 6.
 double offset_of_a_later_impact(bool d26) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.6}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.6}});
     small.card().inacti.value = 6;
     small.model().as_built.set(Departure::D26, d26);
     Contact contact(small.scene(), 0);
@@ -46,7 +45,7 @@ TEST(Departures, D26ForgetsInacti6WhereNothingPenetratesAtTimeZero) {
 /// Friction of a node that slides under F_n = 200 with Fric 0.1 and f_IDF(x) = x / 1000, AscaleF 2: T_s = 300, tool
 /// 900, Tint 500.
 double friction_of_a_hot_node(bool d08) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
     Interface& card = small.card();
     card.ithe.value = card.ithe_form.value = 1;
     card.tint.value = 500;
@@ -85,7 +84,7 @@ TEST(Departures, D08TakesTheFunctionOfTemperatureElsewhere) {
 // 3 % beyond the border of the square: outside of the margin of 1 %, inside of that of 5 %.
 // @manual departure D31
 TEST(Departures, D31FindsTheFirstImpactWithWiderMargins) {
-    SmallScene small = over_a_square({{1.03, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{1.03, 0.1, 0.3}});
     EXPECT_TRUE(Contact(small.scene(), 0).initial_penetrations().empty());
     small.model().as_built.set(Departure::D31);
     const auto found = Contact(small.scene(), 0).initial_penetrations();

@@ -11,7 +11,7 @@ namespace type21::reference {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
+using test::small_scene;
 
 /// The contact after the given motions of one node and the tool, a cycle each.
 struct Cycle {
@@ -19,8 +19,8 @@ struct Cycle {
     Mat3 rotation = Mat3::Identity();
 };
 
-NodeContact last_of(const SmallScene& scene, const std::vector<Cycle>& cycles) {
-    SmallScene small = scene;
+NodeContact last_of(const SceneBuilder& scene, const std::vector<Cycle>& cycles) {
+    SceneBuilder small = scene;
     Contact contact(small.scene(), 0);
     std::vector<Vec3> position = small.model().nodes.position;
     const std::vector<Vec3> velocity(position.size(), Vec3::Zero());
@@ -42,24 +42,14 @@ NodeContact last_of(const SmallScene& scene, const std::vector<Cycle>& cycles) {
 }
 
 /// n x n unit quads in the plane z = 0 with the first corner at (-n/2, -n/2), numbered row by row.
-SmallScene grid(int n) {
-    std::vector<Vec3> nodes;
-    std::vector<std::array<int, 4>> segments;
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i)
-            nodes.emplace_back(i - n / 2, j - n / 2, 0);
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            const int first = j * (n + 1) + i;
-            segments.push_back({first, first + 1, first + n + 2, first + n + 1});
-        }
-    return {nodes, segments, {{0, 0, 9}}};
+SceneBuilder unit_grid(int n) {
+    return small_scene(grid(n, n, [n](int i, int j) { return Vec3(i - n / 2, j - n / 2, 0); }), {{0, 0, 9}});
 }
 
-// g = 0.5, DEPTH = 2 (SmallScene). A decision is a function of the state of its cycle: a node that a step carries from
+// g = 0.5, DEPTH = 2 (small_scene). A decision is a function of the state of its cycle: a node that a step carries from
 // above the gap to behind DEPTH has passed, and one that lands within DEPTH is behind the tool, in contact.
 TEST(HardScenes, a_step_longer_than_depth_passes_through) {
-    const SmallScene square = over_a_square({{0.2, 0.1, 0.6}});
+    const SceneBuilder square = over_a_square({{0.2, 0.1, 0.6}});
     const auto from_above_to = [&](double z) { return last_of(square, {{{0.2, 0.1, 0.6}}, {{0.2, 0.1, z}}}); };
     EXPECT_EQ(from_above_to(-2.0).decision.kind, Kind::none);  // d = DEPTH: strict
     EXPECT_EQ(from_above_to(-2.0).force, Vec3::Zero());
@@ -71,7 +61,7 @@ TEST(HardScenes, a_step_longer_than_depth_passes_through) {
 
 // A half turn about z: (x, y) of the node is seen at (-x, -y). Nothing of the way there matters.
 TEST(HardScenes, half_a_turn_in_one_step_is_seen_where_it_ends) {
-    const SmallScene tool = grid(4);
+    const SceneBuilder tool = unit_grid(4);
     Mat3 half_turn = Mat3::Identity();
     half_turn(0, 0) = half_turn(1, 1) = -1;
     const Vec3 node(1.3, 0.4, 0.25);
@@ -97,7 +87,7 @@ TEST(HardScenes, half_a_turn_in_one_step_is_seen_where_it_ends) {
 
 TEST(HardScenes, a_million_segments) {
     constexpr int n = 1000;
-    SmallScene tool = grid(n);
+    SceneBuilder tool = unit_grid(n);
     Contact contact(tool.scene(), 0);
     std::vector<Vec3> position = tool.model().nodes.position;
     const std::vector<Vec3> velocity(position.size(), Vec3::Zero());

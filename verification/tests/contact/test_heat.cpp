@@ -15,7 +15,6 @@ namespace type21::reference {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
 
 // @manual eq 14, 15; field Kthe, fct_IDK, AscaleK; comment 16
 TEST(Heat, ConductanceIsASeriesOfSheetAndContact) {
@@ -94,7 +93,7 @@ struct Hot {
     }
     double& blank() { return temperature[static_cast<size_t>(small.blank_node(0))]; }
 
-    SmallScene small;
+    SceneBuilder small;
     std::vector<double> temperature;
     std::vector<Vec3> velocity;
     ContactStep last;
@@ -174,7 +173,7 @@ TEST(Heat, WhatTheToolGivesTheBlankGets) {
 
 // @manual field Ithe
 TEST(Heat, WithoutItheNothingThermalIsThere) {
-    SmallScene cold = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder cold = over_a_square({{0.2, 0.1, 0.3}});
     for (const EffectMemory& memory : Contact(cold.scene(), 0).memory_by_effect())
         EXPECT_NE(memory.effect, Effect::heat);
     Hot hot(0.3);

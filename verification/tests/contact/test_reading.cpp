@@ -59,7 +59,7 @@ std::map<std::string, double> numbers_of(const ContactModel& model, const Interf
 
 /// The variation points that change when one departure is switched on.
 std::string changed_by(Departure departure, const std::function<void(Interface&)>& edit = {}) {
-    test::SmallScene small = test::over_a_square({{0.2, 0.1, 0.6}});
+    SceneBuilder small = test::over_a_square({{0.2, 0.1, 0.6}});
     Interface& card = small.card();
     card.stmax.value = 800;
     card.stfac.value = 1;

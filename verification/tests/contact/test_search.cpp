@@ -14,8 +14,6 @@
 namespace type21::reference {
 namespace {
 
-using test::SmallScene;
-
 // @manual field surf_IDm
 TEST(NodalNormals, CountSubTrianglesAndNotAreas) {
     // A quad in z = 0 (two sub-triangles at the shared corners, normal z) and a triangle standing up at its edge (one,
@@ -36,31 +34,28 @@ TEST(NodalNormals, ThatCancelAreZeroAndNotNaN) {
 }
 
 /// A bumpy sheet of n x n quads with a fold.
-SmallScene bumpy(int n) {
-    std::vector<Vec3> nodes;
+SceneBuilder bumpy(int n) {
+    SurfaceMesh sheet = grid(n, n, [n](int i, int j) {
+        return Vec3(i, j, 0.6 * std::sin(1.3 * i) * std::cos(0.7 * j) + (i > n / 2 ? 0.8 * (i - n / 2) : 0.0));
+    });
     std::vector<std::array<int, 4>> segments;
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i)
-            nodes.emplace_back(i, j,
-                               0.6 * std::sin(1.3 * i) * std::cos(0.7 * j) + (i > n / 2 ? 0.8 * (i - n / 2) : 0.0));
-    }
-    const auto at = [&](int i, int j) { return j * (n + 1) + i; };
-    for (int j = 0; j < n; ++j) {
+    for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
-            if ((i + j) % 3 == 0) {
-                segments.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i + 1, j + 1)});
-                segments.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1), at(i, j + 1)});
-            } else {
-                segments.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            const auto& quad = sheet.segment[static_cast<size_t>(j * n + i)];
+            if ((i + j) % 3 != 0) {
+                segments.push_back(quad);
+                continue;
             }
+            for (const auto& triangle : split_quads({quad}))
+                segments.push_back(triangle);
         }
-    }
-    return {nodes, segments, {{0, 0, 1}}};
+    sheet.segment = segments;
+    return test::small_scene(sheet, {{0, 0, 1}});
 }
 
 // @manual field Bumult
 TEST(Candidates, RetainTheSameImpactAsAllSegments) {
-    SmallScene small = bumpy(12);
+    SceneBuilder small = bumpy(12);
     const ToolSurface tool(small.model(), small.card());
     const ContactReach<double> reach{0.7, 1.4, 0.0};
     const Candidates candidates(tool, 1.4);

@@ -30,20 +30,21 @@ Vec3 on_normal(double below) {
     return {below * landing.x(), below * landing.y(), 1 - below};
 }
 
-DecisionInput asked_at(const Vec3& p) {
-    return {p, only, cones, {1.5, 1.5, 0.0}, {}, false};
+ContactQuery query_over(const Vec3& p) {
+    return {p, 1.5, 1.5, 0.0};
 }
+const CandidateSegments cone_only{only, cones};
 
 bool same_bits(const Projection<double>& one, const Projection<double>& other) {
     return one.weights.b == other.weights.b && one.weights.c == other.weights.c && one.normal == other.normal &&
            one.height == other.height && one.slope == other.slope;
 }
 
-// The lifted triangle is the same one, 2^-52 as large: of its corners doubles keep a bit or two. What they are is known
-// all the same, and so is where the node lands.
+// The lifted triangle has the same form and is 2^-52 times as large, so doubles keep a bit or two of its corners. The
+// exact weights and normal are known all the same: they are those of the point whose normal the node lies on.
 TEST(Magnitudes, WhereNormalsMeetTheyAreThoseOfTheDecision) {
     for (const double below : {0x1p-10, 0x1p-30, 0x1p-52}) {
-        const auto impact = staged_impact(asked_at(on_normal(below)));
+        const auto impact = staged_impact(query_over(on_normal(below)), cone_only);
         ASSERT_EQ(impact.kind, Kind::contact) << below;
         EXPECT_NEAR(impact.projection.weights.b, share_b, 1e-9) << below;
         EXPECT_NEAR(impact.projection.weights.c, share_c, 1e-9) << below;
@@ -51,13 +52,13 @@ TEST(Magnitudes, WhereNormalsMeetTheyAreThoseOfTheDecision) {
         EXPECT_NEAR(impact.projection.normal.x(), -landing.x(), 1e-9) << below;
         EXPECT_NEAR(impact.projection.normal.y(), -landing.y(), 1e-9) << below;
     }
-    const auto plain = double_impact(asked_at(on_normal(0x1p-52)));
+    const auto plain = double_impact(query_over(on_normal(0x1p-52)), cone_only);
     EXPECT_TRUE(plain.kind == Kind::none || std::abs(plain.projection.weights.b - share_b) > 0.01)
-        << "this is no question that doubles cannot answer";
+        << "double arithmetic can answer this query: the test shows nothing";
 }
 
-// Exact magnitudes differ in the last bit only, and cost: nothing is rounded from them where a double will do, whatever
-// arithmetic the decision needed. The triangle lies in z = x, which a bound cannot tell of a node there.
+// Exact magnitudes differ in the last bit only, and they cost much. So doubles are used wherever they will do, whatever
+// arithmetic the decision needed. The triangle lies in z = x: for a node there, a bound cannot tell the side.
 TEST(Magnitudes, OrdinaryOnesAreDoubles) {
     const ShapeOf tilted = [](int) {
         auto shape = cone(0);
@@ -69,25 +70,26 @@ TEST(Magnitudes, OrdinaryOnesAreDoubles) {
     };
     int differ = 0;
     for (const double z : {0.0, 0.1, 0.3, 0.7, -0.1}) {
-        const DecisionInput input{Vec3(0.23, 0.03, 0.23 + z), only, tilted, {1.5, 1.5, 0.0}, {}, false};
-        const auto impact = staged_impact(input);
+        const ContactQuery query = query_over({0.23, 0.03, 0.23 + z});
+        const CandidateSegments candidates{only, tilted};
+        const auto impact = staged_impact(query, candidates);
         ASSERT_EQ(impact.kind, Kind::contact) << z;
         EXPECT_EQ(impact.stage == Stage::bounded, z != 0.0) << z;
-        EXPECT_TRUE(close_enough(input, tilted(0), 1)) << z;
-        EXPECT_TRUE(same_bits(impact.projection, double_impact(input).projection)) << z;
-        differ += same_bits(impact.projection, exact_impact(input).projection) ? 0 : 1;
+        EXPECT_TRUE(close_enough(query, tilted(0), 1)) << z;
+        EXPECT_TRUE(same_bits(impact.projection, double_impact(query, candidates).projection)) << z;
+        differ += same_bits(impact.projection, exact_impact(query, candidates).projection) ? 0 : 1;
     }
-    EXPECT_GT(differ, 0) << "these questions do not tell one from the other";
+    EXPECT_GT(differ, 0) << "double and exact numbers are the same here: the test shows nothing";
 }
 
 TEST(Magnitudes, DoublesDoUntilNormalsNearlyMeet) {
-    const auto double_will_do = [](double below) { return close_enough(asked_at(on_normal(below)), cone(0), 1); };
+    const auto double_will_do = [](double below) { return close_enough(query_over(on_normal(below)), cone(0), 1); };
     EXPECT_TRUE(double_will_do(0x1p-4));
     EXPECT_FALSE(double_will_do(0x1p-20)) << "n is known to some 2^-30, so delta is not to 2^-40";
     EXPECT_FALSE(double_will_do(0x1p-52));
 }
 
-// What is measured is the length, not its share in delta: on the surface delta is 0 and its bound is not.
+// The limit is on the error as a length, not on its share of delta: on the surface delta is 0 and its bound is not.
 TEST(Magnitudes, LimitsAreThoseOfTheBounds) {
     const auto projection = [](double b, double height) {
         Projection<Bounded> one;

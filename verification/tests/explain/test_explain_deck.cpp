@@ -12,7 +12,6 @@ namespace type21 {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
 
 std::string case_deck(const std::string& name) {
     return TYPE21_SOURCE_DIR "/cases/" + name + "/" + name + "_0000.rad";
@@ -99,20 +98,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Scenario{"therm_form1_heat", "all"}),
     [](const auto& p) { return std::string(p.param.name) + (p.param.as_built[0] != 0 ? "_as_built" : "_documented"); });
 
-SmallScene resting(const Vec3& blank) {
-    SmallScene small = over_a_square({blank});
+SceneBuilder resting(const Vec3& blank) {
+    SceneBuilder small = over_a_square({blank});
     small.fix(0, {true, true, true, true, true, true});
     small.fix(small.blank_node(0), {true, true, true, true, true, true});
     small.model().engine.end_time = 0.01;
     return small;
 }
 
-Id blank_id(SmallScene& small) {
+Id blank_id(SceneBuilder& small) {
     return small.model().nodes.id[static_cast<size_t>(small.blank_node(0))];
 }
 
 TEST(ExplainDeck, TheNumbersOfAHandCalculation) {
-    SmallScene small = resting({0.2, 0.1, 0.3});
+    SceneBuilder small = resting({0.2, 0.1, 0.3});
     const DeckAccount account = explain_deck(small.scene(), {blank_id(small), 0.0, {}});
     const NodeAccount& of = account.interfaces.at(0);
     EXPECT_EQ(of.candidates.segments.size(), 1u);
@@ -131,7 +130,7 @@ TEST(ExplainDeck, TheNumbersOfAHandCalculation) {
 
 TEST(ExplainDeck, EachRejectionNamesItsStepAndItsNumber) {
     const auto reason = [](const Vec3& blank, int k) {
-        SmallScene small = resting(blank);
+        SceneBuilder small = resting(blank);
         const DeckAccount account = explain_deck(small.scene(), {blank_id(small), 0.0, {}});
         const SubTriangleAccount& t =
             account.interfaces.at(0).candidates.segments.at(0).triangles.at(static_cast<size_t>(k - 1));
@@ -145,29 +144,29 @@ TEST(ExplainDeck, EachRejectionNamesItsStepAndItsNumber) {
 }
 
 TEST(ExplainDeck, SaysWhyThereIsNoContact) {
-    SmallScene far = resting({0.2, 0.1, 5.0});
+    SceneBuilder far = resting({0.2, 0.1, 5.0});
     EXPECT_NE(account_text(explain_deck(far.scene(), {blank_id(far), 0.0, {}}), far.model())
                   .find("no segment is near enough"),
               std::string::npos);
-    SmallScene above = resting({0.2, 0.1, 0.7});
+    SceneBuilder above = resting({0.2, 0.1, 0.7});
     EXPECT_NE(account_text(explain_deck(above.scene(), {blank_id(above), 0.0, {}}), above.model())
                   .find("every sub-triangle rejects"),
               std::string::npos);
-    SmallScene later = resting({0.2, 0.1, 0.3});
+    SceneBuilder later = resting({0.2, 0.1, 0.3});
     later.card().tstart.value = 0.005;
     const auto text = [&](double time) {
         return account_text(explain_deck(later.scene(), {blank_id(later), time, {}}), later.model());
     };
     EXPECT_NE(text(0.002).find("is not active at this time"), std::string::npos);
     EXPECT_EQ(text(0.008).find("is not active at this time"), std::string::npos);
-    SmallScene off = resting({0.2, 0.1, 0.3});
+    SceneBuilder off = resting({0.2, 0.1, 0.3});
     off.card().inacti.value = 1;
     EXPECT_NE(account_text(explain_deck(off.scene(), {blank_id(off), 0.0, {}}), off.model()).find("switched off"),
               std::string::npos);
 }
 
 TEST(ExplainDeck, TakesTheLastCycleThatIsNotAfterTheTime) {
-    SmallScene small = resting({0.2, 0.1, 0.3});
+    SceneBuilder small = resting({0.2, 0.1, 0.3});
     const auto cycle = [&](double time) { return explain_deck(small.scene(), {blank_id(small), time, {}}).cycle; };
     EXPECT_EQ(cycle(0.0), 0);
     EXPECT_EQ(cycle(0.0029), 2);
@@ -175,7 +174,7 @@ TEST(ExplainDeck, TakesTheLastCycleThatIsNotAfterTheTime) {
     EXPECT_EQ(cycle(0.01), 9) << "ten steps add up to more than the end of the run";
 }
 
-std::string error_of(SmallScene& small, const ExplainRequest& request) {
+std::string error_of(SceneBuilder& small, const ExplainRequest& request) {
     try {
         explain_deck(small.scene(), request);
     } catch (const ExplainError& error) {
@@ -185,7 +184,7 @@ std::string error_of(SmallScene& small, const ExplainRequest& request) {
 }
 
 TEST(ExplainDeck, WhatIsNotThereIsNamed) {
-    SmallScene small = resting({0.2, 0.1, 0.3});
+    SceneBuilder small = resting({0.2, 0.1, 0.3});
     EXPECT_NE(error_of(small, {77, 0.0, {}}).find("no node 77"), std::string::npos);
     EXPECT_NE(error_of(small, {1001, 0.0, {}}).find("node 1001 is not on the secondary side"), std::string::npos);
     EXPECT_NE(error_of(small, {blank_id(small), 0.02, {}}).find("beyond the run"), std::string::npos);

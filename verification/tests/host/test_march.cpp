@@ -16,7 +16,6 @@ namespace type21 {
 namespace {
 
 using test::over_a_square;
-using test::SmallScene;
 
 std::unique_ptr<ContactMethod> reference_contact(const Scene& scene, int interface) {
     return std::make_unique<reference::Contact>(scene, interface);
@@ -33,7 +32,7 @@ struct Kept {
     ContactStep contact;
 };
 
-std::vector<Kept> run(SmallScene& small) {
+std::vector<Kept> run(SceneBuilder& small) {
     std::vector<Kept> kept;
     march(small.scene(), reference_contact, [&](const CycleRecord& r) {
         kept.push_back({r.time,
@@ -62,7 +61,7 @@ TEST(Rotation, FullTurnAboutAnyAxisTo1em12) {
 }
 
 TEST(March, ImposedVelocityMovesTheToolAndItsNodes) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
     small.fix(0, {true, true, false, true, true, true});
     small.drive(0, 2, -3.0);
@@ -77,7 +76,7 @@ TEST(March, ImposedVelocityMovesTheToolAndItsNodes) {
 }
 
 TEST(March, ImposedDisplacementIsMetAtEveryTime) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
     small.fix(0, {true, true, false, true, true, true});
     small.drive(0, 2, 2.5, ImposedMotion::Kind::displacement);
@@ -88,7 +87,7 @@ TEST(March, ImposedDisplacementIsMetAtEveryTime) {
 
 // omega about an oblique axis, one turn in 0.1: the node is carried round a circle; exact position at every record.
 TEST(March, ATurningToolKeepsItsNodesOnTheirCircle) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
     small.fix(0, {true, true, true, false, false, false});
     const Vec3 axis = Vec3(1, -2, 0.5).normalized();
@@ -105,7 +104,7 @@ TEST(March, ATurningToolKeepsItsNodesOnTheirCircle) {
 
 // A node of mass 1 falls freely under its load: leapfrog gives x = a (n dt)^2 / 2 exactly for a half first step.
 TEST(March, AFreeNodeUnderALoad) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(0, all_fixed);
     Model& model = small.model();
     small.load(small.blank_node(0), 0, 4.0);
@@ -117,7 +116,7 @@ TEST(March, AFreeNodeUnderALoad) {
 
 // A bar-like inertia turning freely about a principal axis keeps its rate; a torque about it gives alpha = M / I.
 TEST(March, AFreeToolTurnsWithItsInertia) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
     Model& model = small.model();
     model.rigid_bodies[0].inertia = Vec3(2, 3, 4).asDiagonal();
@@ -130,7 +129,7 @@ TEST(March, AFreeToolTurnsWithItsInertia) {
 // Undamped contact is a spring: starting at p = 0.1 from rest the node leaves with v = p sqrt(k / m), exactly to second
 // order.
 TEST(March, ASpringGivesBackItsEnergy) {
-    SmallScene small = over_a_square({{0, 0, 0.4}});
+    SceneBuilder small = over_a_square({{0, 0, 0.4}});
     small.fix(0, all_fixed);
     small.model().engine.first_step = small.model().engine.largest_step = 1e-5;
     small.model().engine.end_time = 0.1;
@@ -144,7 +143,7 @@ TEST(March, ASpringGivesBackItsEnergy) {
 
 // @manual departure D25
 TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
-    SmallScene small = over_a_square({{0, 0, 0.4}});
+    SceneBuilder small = over_a_square({{0, 0, 0.4}});
     small.fix(0, all_fixed);
     small.fix(small.blank_node(0), all_fixed);
     small.model().engine.end_time = 0.0025;
@@ -163,7 +162,7 @@ TEST(March, ImpulsesOfPageAndAsBuiltDifferByTheirWeights) {
 
 // @manual departure D24
 TEST(March, AsBuiltTheOrientationIsOneStepOld) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(small.blank_node(0), all_fixed);
     small.fix(0, {true, true, true, true, true, false});
     small.drive(0, 5, 10.0);
@@ -177,7 +176,7 @@ TEST(March, AsBuiltTheOrientationIsOneStepOld) {
 
 // @manual field Inacti; comment 8
 TEST(March, InactiThreeMovesTheNodeOut) {
-    SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
     small.fix(0, all_fixed);
     small.fix(small.blank_node(0), all_fixed);
     small.card().inacti.value = 3;
@@ -190,7 +189,7 @@ TEST(March, InactiThreeMovesTheNodeOut) {
 // Inacti 1 looks at time 0 also when the interface starts later: the node that penetrated then stays off.
 TEST(March, InactiOneHoldsWhenTheInterfaceStartsLater) {
     for (const int inacti : {0, 1}) {
-        SmallScene small = over_a_square({{0.2, 0.1, 0.3}});
+        SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
         small.fix(0, all_fixed);
         small.fix(small.blank_node(0), all_fixed);
         small.card().inacti.value = inacti;
@@ -203,7 +202,7 @@ TEST(March, InactiOneHoldsWhenTheInterfaceStartsLater) {
 }
 
 TEST(Runnable, EveryReasonIsNamedAtOnce) {
-    SmallScene small = over_a_square({{0, 0, 0.6}});
+    SceneBuilder small = over_a_square({{0, 0, 0.6}});
     Model& model = small.model();
     model.engine.end_time = 0;
     model.rigid_bodies[0].mass = 0;
@@ -215,7 +214,7 @@ TEST(Runnable, EveryReasonIsNamedAtOnce) {
 }
 
 TEST(March, AReleasedNodeMoves) {
-    SmallScene small = over_a_square({{0, 0, 0.6}});
+    SceneBuilder small = over_a_square({{0, 0, 0.6}});
     small.fix(0, {true, true, false, true, true, true});
     small.drive(0, 2, 50.0);
     small.fix(small.blank_node(0), all_fixed);
@@ -229,7 +228,7 @@ TEST(March, AReleasedNodeMoves) {
 }
 
 TEST(March, StopsOnWhatIsNotANumber) {
-    SmallScene small = over_a_square({{0, 0, 0.4}});
+    SceneBuilder small = over_a_square({{0, 0, 0.4}});
     small.fix(0, all_fixed);
     small.card().stfac.value = 1e308;  // Stfac S overflows
     small.card().stmax.value = std::numeric_limits<double>::infinity();
@@ -245,7 +244,7 @@ TEST(March, StopsOnWhatIsNotANumber) {
 }
 
 TEST(March, StopsWhereNothingLimitsTheStep) {
-    SmallScene small = over_a_square({{5, 5, 5}});
+    SceneBuilder small = over_a_square({{5, 5, 5}});
     small.fix(0, all_fixed);
     small.fix(small.blank_node(0), all_fixed);
     small.model().engine.first_step.reset();
@@ -255,7 +254,7 @@ TEST(March, StopsWhereNothingLimitsTheStep) {
 
 // @manual field Invn; comment 21
 TEST(March, InvnStopsAfterTheCycleIsRecorded) {
-    SmallScene small = over_a_square({{0.2, 0.1, -1.995}});
+    SceneBuilder small = over_a_square({{0.2, 0.1, -1.995}});
     small.fix(0, all_fixed);
     small.fix(small.blank_node(0), all_fixed);
     small.card().invn.value = 1;
@@ -270,7 +269,7 @@ TEST(March, InvnStopsAfterTheCycleIsRecorded) {
 }
 
 TEST(TimeStep, NodalAndKinematicLimits) {
-    SmallScene small = over_a_square({{0, 0, 0.4}});
+    SceneBuilder small = over_a_square({{0, 0, 0.4}});
     small.model().engine.first_step.reset();
     small.model().engine.largest_step.reset();
     small.model().engine.step_scale = 0.5;

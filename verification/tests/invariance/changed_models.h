@@ -1,4 +1,4 @@
-/// @file The same scene written down otherwise: turned, mirrored, moved, renumbered.
+/// @file The same scene described in another way: turned, mirrored, moved, renumbered.
 #pragma once
 
 #include <array>

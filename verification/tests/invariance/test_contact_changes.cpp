@@ -1,14 +1,18 @@
-// The contact alone, through the seam: rigid motion of everything, order of candidates, steps that others take between.
+// The contact through its contract only: rigid motion of everything, order of candidates, steps of other contacts
+// between.
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <tuple>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "reference/contact/retained_impact.h"
 #include "reference/contact/tool_surface.h"
-#include "reference/cycle/contact.h"
-#include "verification/stability/bench_scene.h"
+#include "verification/stability/long_run_scene.h"
+#include "verification/support/contact_choice.h"
+#include "verification/support/prescribed_motion.h"
 
 namespace type21 {
 namespace {
@@ -24,13 +28,10 @@ std::vector<Vec3> blank(Shape shape) {
 }
 
 HostScene scene_of(Shape shape, Mesh mesh) {
-    BenchScene bench(make_tool(shape, mesh), blank(shape));
-    bench.card().fric.value = 0.2;
-    bench.card().viss.value = 0.3;
-    return bench.scene();
+    return long_run_scene(make_tool(shape, mesh), blank(shape)).fric(0.2).viss(0.3).scene();
 }
 
-/// A pose of the whole world: x -> turn x + shift.
+/// A rigid motion of blank and tool together: x -> turn x + shift.
 struct Pose {
     Mat3 turn = Mat3::Identity();
     Vec3 shift = Vec3::Zero();
@@ -85,12 +86,28 @@ struct Surface {
     Mesh mesh;
 };
 
-class RigidMotion : public ::testing::TestWithParam<Surface> {};
+/// Both implementations keep these bits, and forces to the same rounding.
+class RigidMotion : public ::testing::TestWithParam<std::tuple<std::string, Surface>> {
+  protected:
+    const Surface surface_ = std::get<Surface>(GetParam());
+    const HostScene scene_ = scene_of(surface_.shape, surface_.mesh);
+
+    std::unique_ptr<ContactMethod> contact() const {
+        return contact_maker(std::get<std::string>(GetParam()))(scene_, 0);
+    }
+};
 
 INSTANTIATE_TEST_SUITE_P(All, RigidMotion,
-                         ::testing::Values(Surface{Shape::flat, Mesh::quad}, Surface{Shape::convex, Mesh::distorted},
-                                           Surface{Shape::concave, Mesh::triangle},
-                                           Surface{Shape::convex, Mesh::warped}));
+                         ::testing::Combine(::testing::ValuesIn(contact_choices()),
+                                            ::testing::Values(Surface{Shape::flat, Mesh::quad},
+                                                              Surface{Shape::convex, Mesh::distorted},
+                                                              Surface{Shape::concave, Mesh::triangle},
+                                                              Surface{Shape::convex, Mesh::warped})),
+                         [](const auto& tested) {
+                             const Surface& surface = std::get<1>(tested.param);
+                             return fmt::format("{}_{}_{}", std::get<0>(tested.param), name(surface.shape),
+                                                name(surface.mesh));
+                         });
 
 /// Forces are some 300 N at k = 1000 N/mm. A coordinate of size L is rounded to eps L a few times: k eps L = 2e-13 N
 /// per mm of L. Friction adds up 150 cycles at most, and forgets them by slipping.
@@ -99,10 +116,7 @@ double rounding(double size) {
 }
 
 TEST_P(RigidMotion, TurnsTheForcesWithIt) {
-    const auto [shape, mesh] = GetParam();
-    const HostScene scene = scene_of(shape, mesh);
-    reference::Contact still(scene, 0);
-    const auto plain = forces(scene, {}, shape, still, 0, cycles);
+    const auto plain = forces(scene_, {}, surface_.shape, *contact(), 0, cycles);
     double largest = 0;
     for (const Vec3& force : plain)
         largest = std::max(largest, force.norm());
@@ -111,16 +125,14 @@ TEST_P(RigidMotion, TurnsTheForcesWithIt) {
         Pose pose;
         pose.turn = Eigen::AngleAxisd(angle, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
         pose.shift = Vec3(30, -70, 110);
-        reference::Contact turned(scene, 0);
-        EXPECT_LT(largest_difference(plain, forces(scene, pose, shape, turned, 0, cycles)), rounding(150)) << angle;
+        const auto turned = forces(scene_, pose, surface_.shape, *contact(), 0, cycles);
+        EXPECT_LT(largest_difference(plain, turned), rounding(150)) << angle;
     }
 }
 
 // y = R^T (x - x_G) is exact when the sum was: then every bit of the contact is the same.
 TEST_P(RigidMotion, ByAPowerOfTwoOfNodesOnAGridKeepsEveryBitOfTheDecisions) {
-    const auto [shape, mesh] = GetParam();
-    const HostScene scene = scene_of(shape, mesh);
-    std::vector<Vec3> position = scene.model->nodes.position;
+    const std::vector<Vec3>& position = scene_.model->nodes.position;
     const auto on_grid = [](const Vec3& x) { return Vec3(((x * 16777216.0).array().round() / 16777216.0).matrix()); };
     const std::vector<Vec3> velocity(position.size(), Vec3::Zero());
     const auto step = [&](const Vec3& shift) {
@@ -132,7 +144,7 @@ TEST_P(RigidMotion, ByAPowerOfTwoOfNodesOnAGridKeepsEveryBitOfTheDecisions) {
         motion.velocity = velocity;
         motion.tools.resize(1);
         motion.tools[0].position = shift;
-        return reference::Contact(scene, 0).step(motion);
+        return contact()->step(motion);
     };
     const ContactStep here = step(Vec3::Zero());
     const ContactStep there = step(Vec3(1024, -65536, 4096));
@@ -147,35 +159,37 @@ TEST_P(RigidMotion, ByAPowerOfTwoOfNodesOnAGridKeepsEveryBitOfTheDecisions) {
     EXPECT_GT(contacts, 5);
 }
 
-// The seam is the only way in: a contact whose cycles are interrupted by others', and by questions about time 0, goes
-// on as if nothing had been.
+// A contact has no state outside its object: when other contacts step between its cycles, or initial_penetrations() is
+// called, it goes on with the same bits.
 TEST_P(RigidMotion, AnInterruptedContactGoesOnWithTheSameBits) {
-    const auto [shape, mesh] = GetParam();
-    const HostScene scene = scene_of(shape, mesh);
-    reference::Contact whole(scene, 0);
-    const auto expected = forces(scene, {}, shape, whole, 0, cycles);
-    reference::Contact parts(scene, 0);
-    auto got = forces(scene, {}, shape, parts, 0, cycles / 2);
-    reference::Contact other(scene, 0);
-    forces(scene, {}, shape, other, 0, 20);
-    parts.initial_penetrations(scene.model->nodes.position);
-    const auto rest = forces(scene, {}, shape, parts, cycles / 2, cycles);
+    const Shape shape = surface_.shape;
+    const auto expected = forces(scene_, {}, shape, *contact(), 0, cycles);
+    const auto parts = contact();
+    auto got = forces(scene_, {}, shape, *parts, 0, cycles / 2);
+    forces(scene_, {}, shape, *contact(), 0, 20);
+    parts->initial_penetrations(scene_.model->nodes.position);
+    const auto rest = forces(scene_, {}, shape, *parts, cycles / 2, cycles);
     got.insert(got.end(), rest.begin(), rest.end());
     EXPECT_EQ(got, expected);
 }
 
-// By design: over the common edge of two segments both take the node equally well, and the lowest number wins.
-TEST(Ties, GoToAnotherSegmentWhenTheSegmentsAreRenumbered) {
-    Tool tool = make_tool(Shape::flat, Mesh::quad);
+// By design: over the common edge of two segments both have the same kappa, and the lower segment is retained.
+class Ties : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(By, Ties, ::testing::ValuesIn(contact_choices()),
+                         [](const auto& tested) { return tested.param; });
+
+TEST_P(Ties, GoToAnotherSegmentWhenTheSegmentsAreRenumbered) {
+    SurfaceMesh tool = make_tool(Shape::flat, Mesh::quad);
     const Vec3 over_edge(0, 0.9, 0.7);  // between columns 4 and 5 of row 5
-    const MakeContact make = [](const Scene& s, int i) { return std::make_unique<reference::Contact>(s, i); };
+    const MakeContact make = contact_maker(GetParam());
     const NodeContact first =
-        PrescribedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+        PrescribedNode(long_run_scene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
     std::reverse(tool.segment.begin(), tool.segment.end());
     const NodeContact second =
-        PrescribedNode(BenchScene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
+        PrescribedNode(long_run_scene(tool, {over_edge}).scene(), make).to(over_edge, Vec3::Zero(), 0);
     EXPECT_EQ(first.decision.segment, 54);
-    EXPECT_EQ(second.decision.segment, 99 - 55) << "the same rule, the other piece";
+    EXPECT_EQ(second.decision.segment, 99 - 55) << "the same rule, the other segment";
     EXPECT_EQ(first.force, second.force) << "on one plane both give the same force";
     EXPECT_NEAR(first.normal_force, 300, 1e-12);
 }

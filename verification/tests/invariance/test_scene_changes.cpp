@@ -1,4 +1,4 @@
-// Shipped cases, run as they are and written down otherwise: what must come out the same does, to the stated rounding.
+// Shipped cases, run as they are and described in another way: the results are the same to the stated rounding.
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -70,8 +70,8 @@ void expect_same_bits(const Difference& difference) {
     EXPECT_EQ(difference.other_pieces, 0);
 }
 
-/// Turned by maps of the axes, mirrored, with segments or masses written otherwise, the coordinates keep their bits;
-/// only sums in the laws round otherwise. Measured: up to 3e-14 of the largest force.
+/// Turned by maps of the axes, mirrored, with other segment numbers or units of mass, the coordinates keep their bits;
+/// only sums in the laws round differently. Measured: up to 3e-14 of the largest force.
 constexpr double rounding_of_forces = 1e-12;
 
 /// In another unit of length, or turned, coordinates round anew in each of some 1000 cycles: 1e-13 mm, on penetrations
@@ -167,7 +167,7 @@ TEST(UnitOfLength, MayMoveTheFirstImpactOfAVeryTouchByOneCycle) {
     const double damping = std::sqrt(2 * stiffness * side.mass[0]);  // VISs 1
     const double speed = 4000;                                       // mm/s
     const double most = stiffness * speed * 1e-6 + damping * speed;  // k v dt and C v
-    EXPECT_GT(difference.force, 1e-3) << "the touch is decided alike now: make this scene one of the others";
+    EXPECT_GT(difference.force, 1e-3) << "the first impact is the same now: make this scene one of the others";
     EXPECT_LT(difference.place, rounding_of_places);
     // What comes a cycle earlier: the damping, and k v dt; with friction 0.1 on top.
     EXPECT_LT(difference.force * plain.largest_force, 1.1 * most);

@@ -1,23 +1,22 @@
 /// @file A run kept in memory, to be compared with the run of a changed scene.
 ///
-/// What the method keeps, and to what it keeps it, is in the tests of this folder. What it breaks by design:
-///  - Equal kappa: of two sub-triangles that take a node equally well the one of the lowest segment, then the lowest k
-///  is
-///    retained. Renumbering or mirroring the tool's segments makes it another one. On a surface that both continue the
-///    force is the same to rounding; where they meet in a fold, with a node exactly over it, it may differ.
-///  - Nodal normals are sums of unit normals in the order of the segments: another order rounds otherwise, by some ulp.
-///    So does the centre of a quad whose corners are listed from another one on or the other way round.
-///  - A quad whose corners begin elsewhere has its sub-triangles k renumbered; the pieces are the same.
-///  - History: P0 is the penetration of the first cycle of an impact and loses 5 % in each cycle, not per time. A run
-///  with
-///    half the step is another run, not a finer one of the same.
-///  - The first cycle of an impact: a node that comes to the very touch in a cycle begins its impact there or in the
-///  next,
-///    as the last bits of its position say; P0 differs by the approach of one cycle. Any change of rounding may do it:
-///    units of length, a move, a turn. 16 ulp of the coordinate are no impact; that covers the rounding of a cycle, not
-///    what many cycles have added up.
-///  - D29 counts user ids of the model; it changes when nodes are renumbered. It is off unless asked for.
-///  - A stop in the middle is no file: there is no restart. A run must be begun again.
+/// The tests of this folder say under which changes the results stay the same, and how nearly. What changes by design:
+///  - Equal kappa: of two sub-triangles with the same kappa, the one of the lowest segment, then the lowest k, is
+///    retained. Renumbering or mirroring the segments of the tool makes it another one. On a surface that both
+///    continue, the force is the same to rounding. Where they meet in a fold and the node is exactly over it, the force
+///    may differ.
+///  - Nodal normals are sums of unit normals in the order of the segments. Another order changes them by some ulp. The
+///    same holds for the centre of a quad whose corners are listed in another order.
+///  - A quad whose list of corners begins with another corner has its sub-triangles k renumbered; they are the same.
+///  - History: P0 is the penetration of the first cycle of an impact and loses 5 % in each cycle, not per time. So a
+///  run
+///    with half the step is another run, not a finer one of the same.
+///  - The first cycle of an impact: where a node just reaches the gap in a cycle, the impact begins in this cycle or in
+///    the next, depending on the last bits of its position. P0 then differs by the approach of one cycle. Any change of
+///    rounding may cause it: units of length, a translation, a rotation. The law takes 16 ulp of the coordinate as no
+///    impact; this covers the rounding of one cycle, not the sum over many.
+///  - D29 uses the ids of the deck and changes when nodes are renumbered. It is off by default.
+///  - There is no restart: a run that was stopped has to begin again.
 #pragma once
 
 #include <memory>

@@ -57,8 +57,7 @@ TEST(DeckFuzz, FindingsStayMended) {
     }
 }
 
-// The seeds say something only if the reader takes them as decks, by the page or as built (filter2 is no deck of the
-// page).
+// The seeds are of use only if the reader accepts them, as documented or as built (filter2 is accepted as built only).
 TEST(DeckFuzz, TheCasesAreAcceptedFromMemory) {
     const auto inputs = case_inputs();
     ASSERT_GE(inputs.size(), 50U);

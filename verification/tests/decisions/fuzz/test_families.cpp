@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/decisions/queries/decision_json.h"
-#include "verification/decisions/question_families/family.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21 {
@@ -72,16 +72,16 @@ TEST(Draw, makes_unit_vectors_at_every_scale) {
 
 TEST(Families, have_names_of_their_own) {
     std::set<std::string_view> names;
-    for (const Family& family : families()) {
+    for (const QuestionFamily& family : question_families()) {
         EXPECT_TRUE(names.insert(family.name).second) << family.name;
-        EXPECT_EQ(family_named(family.name), &family);
+        EXPECT_EQ(question_family_named(family.name), &family);
         EXPECT_FALSE(family.what.empty());
     }
-    EXPECT_EQ(family_named("nothing"), nullptr);
+    EXPECT_EQ(question_family_named("nothing"), nullptr);
 }
 
 TEST(Families, give_valid_blocks_that_depend_on_seed_and_index_alone) {
-    for (const Family& family : families()) {
+    for (const QuestionFamily& family : question_families()) {
         std::set<std::uint64_t> seen;
         for (std::uint64_t index = 0; index < 20; ++index) {
             const DecisionBlock block = block_of(family, 5, index);

@@ -17,7 +17,7 @@ TEST(Fuzz, the_reference_is_right_in_every_family) {
     options.seed = 20;
     options.full_every = 16;
     options.jobs = 2;
-    for (const Family& family : families()) {
+    for (const QuestionFamily& family : question_families()) {
         const FuzzTally tally = fuzz(family, options, quiet);
         EXPECT_EQ(tally.different, 0) << to_text({tally}, options);
         EXPECT_EQ(tally.decisions, 320);
@@ -31,7 +31,7 @@ TEST(Fuzz, finds_what_plain_double_gets_wrong) {
     FuzzOptions options;
     options.count = 640;
     options.method = DecideWith::plain;
-    const FuzzTally tally = fuzz(*family_named("mesh_on_mesh"), options, quiet);
+    const FuzzTally tally = fuzz(*question_family_named("mesh_on_mesh"), options, quiet);
     EXPECT_GT(tally.different, 0);
     EXPECT_EQ(tally.different, tally.double_wrong);
     EXPECT_EQ(tally.failures.size(), options.keep);
@@ -41,7 +41,7 @@ TEST(Fuzz, does_not_depend_on_the_number_of_threads) {
     FuzzOptions options;
     options.count = 500;
     options.method = DecideWith::plain;
-    const Family& family = *family_named("fans");
+    const QuestionFamily& family = *question_family_named("fans");
     const FuzzTally one = fuzz(family, options, quiet);
     options.jobs = 3;
     const FuzzTally three = fuzz(family, options, quiet);
@@ -52,7 +52,7 @@ TEST(Fuzz, does_not_depend_on_the_number_of_threads) {
     ASSERT_EQ(one.failures.size(), three.failures.size());
     for (size_t i = 0; i < one.failures.size(); ++i) {
         EXPECT_EQ(one.failures[i].block, three.failures[i].block);
-        EXPECT_EQ(one.failures[i].query, three.failures[i].query);
+        EXPECT_EQ(one.failures[i].number, three.failures[i].number);
     }
 }
 

@@ -71,10 +71,10 @@ TEST(DecisionJson, names_what_is_missing_or_wrong) {
         return problems.empty() ? std::string() : problems[0];
     };
     EXPECT_EQ(complaint("/blocks/0/segments/0/0", 0), "");
-    EXPECT_NE(complaint("/blocks/0/segments/0/0", 3).find("3 is not the rank of a node: 0 to 2"), std::string::npos);
-    EXPECT_NE(complaint("/blocks/0/segments/0/0", -1).find("is not the rank"), std::string::npos);
-    EXPECT_NE(complaint("/blocks/0/segments/0/0", 0.5).find("is not the rank"), std::string::npos);
-    EXPECT_NE(complaint("/blocks/0/segments/0", Json::array({0, 1, 2})).find("four ranks"), std::string::npos);
+    EXPECT_NE(complaint("/blocks/0/segments/0/0", 3).find("3 is not the index of a node: 0 to 2"), std::string::npos);
+    EXPECT_NE(complaint("/blocks/0/segments/0/0", -1).find("is not the index"), std::string::npos);
+    EXPECT_NE(complaint("/blocks/0/segments/0/0", 0.5).find("is not the index"), std::string::npos);
+    EXPECT_NE(complaint("/blocks/0/segments/0", Json::array({0, 1, 2})).find("four node indices"), std::string::npos);
     EXPECT_NE(complaint("/blocks/0/normals", Json::array()).find("0 normals for 3 nodes"), std::string::npos);
     EXPECT_NE(complaint("/blocks/0/queries/0/gap", -1).find("is negative"), std::string::npos);
     EXPECT_NE(complaint("/blocks/0/queries/0", Json::object()).find("'p' is missing"), std::string::npos);

@@ -30,7 +30,7 @@ TEST(DecisionJson, ReadsWhatItShould) {
     const DecisionFile file = decisions_of(nlohmann::json::parse(good), "file.json", problems);
     ASSERT_EQ(file.blocks.size(), 1u);
     EXPECT_EQ(file.blocks[0].queries[0].point, Vec3(0.25, 0.25, 0.125));
-    EXPECT_EQ(file.blocks[0].queries[0].reach, 0) << "no proximity unless asked for";
+    EXPECT_EQ(file.blocks[0].queries[0].proximity_reach, 0) << "no proximity unless asked for";
 }
 
 TEST(DecisionJson, HexFloatsLoseNoBit) {
@@ -51,7 +51,7 @@ TEST(DecisionJson, EveryProblemIsNamedWithItsPlace) {
               "\"0x1.8p+1\"");
     const auto rank = problems_of(with("[0,1,2,2]", "[0,1,7,-1]"));
     ASSERT_EQ(rank.size(), 2u);
-    EXPECT_NE(rank[0].find("/blocks/0/segments/0/2: 7 is not the rank of a node: 0 to 2"), std::string::npos);
+    EXPECT_NE(rank[0].find("/blocks/0/segments/0/2: 7 is not the index of a node: 0 to 2"), std::string::npos);
     EXPECT_NE(problems_of(with("\"gap\": 0.5", "\"gap\": -0.5")).at(0).find("negative"), std::string::npos);
     EXPECT_NE(problems_of(with("\"gap\": 0.5, ", "")).at(0).find("'gap' is missing"), std::string::npos);
     EXPECT_NE(problems_of(with(",[0,0,1]]", "]")).at(0).find("2 normals for 3 nodes"), std::string::npos);

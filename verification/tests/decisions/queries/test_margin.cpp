@@ -25,12 +25,13 @@ TEST(Margin, is_the_distance_to_the_nearest_border) {
 
 // A power of two changes no digit, as long as nothing underflows: the margin scales with the picture.
 TEST(Margin, scales_with_the_configuration_at_every_size) {
-    const DecisionQuery query{{0.3, 0.1, 0.2}, 0.25, 0.25, 0.4};
+    const ContactQuery query{{0.3, 0.1, 0.2}, 0.25, 0.25, 0.4};
     const double expected = margin(triangle(1), query);
     ASSERT_GT(expected, 0);
     for (const int power : {-1000, -500, -60, 60, 500, 1000}) {
         const double scale = std::ldexp(1.0, power);
-        const DecisionQuery scaled{scale * query.point, scale * query.gap, scale * query.depth, scale * query.reach};
+        const ContactQuery scaled{scale * query.point, scale * query.gap, scale * query.depth,
+                                  scale * query.proximity_reach};
         EXPECT_EQ(margin(triangle(scale), scaled), scale * expected) << "2^" << power;
     }
 }

@@ -11,13 +11,13 @@
 namespace type21::bench {
 namespace {
 
-TEST(Spread, IsOfSortedNumbers) {
-    const Spread s = spread({5, 1, 4, 2, 3});
+TEST(TimingSpread, IsOfSortedNumbers) {
+    const TimingSpread s = timing_spread({5, 1, 4, 2, 3});
     EXPECT_EQ(s.min, 1);
     EXPECT_EQ(s.p50, 3);
     EXPECT_EQ(s.p95, 5);
     EXPECT_EQ(s.max, 5);
-    EXPECT_THROW(spread({}), std::invalid_argument);
+    EXPECT_THROW(timing_spread({}), std::invalid_argument);
 }
 
 TEST(Rounds, RunInTurnAndCompareMedians) {

@@ -1,17 +1,17 @@
 #include <gtest/gtest.h>
 
 #include "verification/results/balance/balance.h"
-#include "verification/tests/results/record/small_scene.h"
+#include "verification/tests/results/record/record_scene.h"
 
 namespace type21 {
 namespace {
 
 using test::Cycle;
-using test::SmallScene;
+using test::RecordScene;
 
 /// One node pressed, damped and rubbed by a turning tool, consistent in every digit but rounding.
 struct OneNode {
-    SmallScene small;
+    RecordScene small;
     Cycle cycle;
 
     OneNode() {

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "verification/results/balance/contact_count.h"
-#include "verification/tests/results/record/small_scene.h"
+#include "verification/tests/results/record/record_scene.h"
 
 namespace type21 {
 namespace {
 
 TEST(ContactCount, FollowsTheNodesAndTheDeepestPenetration) {
-    test::SmallScene small;
+    test::RecordScene small;
     small.model->interfaces[0].secondary.node = {0, 1};
     test::Cycle cycle;
     ContactCounter counter(small.scene);

@@ -8,7 +8,7 @@
 #include "verification/results/paraview/contact_grid.h"
 #include "verification/results/paraview/pvd_file.h"
 #include "verification/results/paraview/vtu_file.h"
-#include "verification/tests/results/record/small_scene.h"
+#include "verification/tests/results/record/record_scene.h"
 #include "verification/tests/temp_folder.h"
 
 namespace type21 {
@@ -98,7 +98,7 @@ TEST(VtuFile, AFullDiskLeavesNothing) {
 }
 
 /// One node of two in the secondary surface, on a tool of one triangle.
-struct Touching : test::SmallScene {
+struct Touching : test::RecordScene {
     Touching() {
         model->nodes.id = {7, 9, 11, 13};
         model->surfaces.resize(2);

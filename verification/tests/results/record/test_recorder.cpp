@@ -2,7 +2,7 @@
 
 #include "verification/results/record/recorder.h"
 #include "verification/results/tables/csv_table.h"
-#include "verification/tests/results/record/small_scene.h"
+#include "verification/tests/results/record/record_scene.h"
 #include "verification/tests/temp_folder.h"
 
 namespace type21 {
@@ -10,7 +10,7 @@ namespace {
 
 using test::Cycle;
 using test::read_text;
-using test::SmallScene;
+using test::RecordScene;
 using test::TempFolder;
 using Kind = HistoryRequest::Kind;
 
@@ -23,7 +23,7 @@ std::string first_line(const std::filesystem::path& path) {
 }
 
 TEST(Recorder, AnInterfaceThatNoRequestNamesHasEveryColumn) {
-    SmallScene small;
+    RecordScene small;
     small.request(Kind::interface, {"FNZ", "CE_DAMP", "FNX"}, {1});
     TempFolder folder;
     const Recorder recorder(small.scene, folder.path());
@@ -33,7 +33,7 @@ TEST(Recorder, AnInterfaceThatNoRequestNamesHasEveryColumn) {
 }
 
 TEST(Recorder, EveryColumnHoldsItsOwnQuantity) {
-    SmallScene small;
+    RecordScene small;
     TempFolder folder;
     Cycle cycle;
     InterfaceTotals& t = cycle.totals[0];
@@ -57,7 +57,7 @@ TEST(Recorder, EveryColumnHoldsItsOwnQuantity) {
 }
 
 TEST(Recorder, NodesHoldTheUnionOfTheRequestsOncePerTime) {
-    SmallScene small;
+    RecordScene small;
     small.request(Kind::node, {"DX", "REACXX"}, {0, 1});
     small.request(Kind::node, {"VRZ", "Z", "AX", "DX", "REACY"}, {1});
     TempFolder folder;
@@ -71,14 +71,14 @@ TEST(Recorder, NodesHoldTheUnionOfTheRequestsOncePerTime) {
 }
 
 TEST(Recorder, WritesNoNodesThatNobodyAsksFor) {
-    SmallScene small;
+    RecordScene small;
     TempFolder folder;
     const Recorder recorder(small.scene, folder.path());
     EXPECT_FALSE(std::filesystem::exists(folder / "nodes.csv"));
 }
 
 TEST(Recorder, TheToolGetsImpulsesOfAllCyclesAndInterfaces) {
-    SmallScene small;
+    RecordScene small;
     small.model->engine.history_interval = 2;  // cycle 1 is summed, not written
     TempFolder folder;
     Cycle cycle;
@@ -103,7 +103,7 @@ TEST(Recorder, TheToolGetsImpulsesOfAllCyclesAndInterfaces) {
 }
 
 TEST(Recorder, KeepsOnDiskWhatItWroteWhileItIsStillOpen) {
-    SmallScene small;
+    RecordScene small;
     TempFolder folder;
     Cycle cycle;
     Recorder recorder(small.scene, folder.path());

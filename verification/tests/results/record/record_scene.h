@@ -1,31 +1,26 @@
-/// @file A Model of two nodes, a tool and two interfaces, and one cycle of a made-up run on it.
+/// @file A scene of two nodes, a tool and two interfaces without segments, and one cycle of a made-up run on it.
 #pragma once
 
 #include <memory>
 
 #include "reference/host/march.h"
+#include "verification/support/scene_builder.h"
 
 namespace type21::test {
 
-struct SmallScene {
-    std::shared_ptr<Model> model = std::make_shared<Model>();
+struct RecordScene {
+    std::shared_ptr<Model> model;
     HostScene scene;
 
-    SmallScene() {
-        model->nodes.id = {7, 9};
-        model->nodes.position = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
-        model->rigid_bodies.resize(1);
+    RecordScene() {
+        SceneBuilder builder;
+        builder.blank({Vec3(1, 2, 3)}, {}, 7).main_node({4, 5, 6}, 9);
+        model = std::make_shared<Model>(builder.model());
         model->rigid_bodies[0].id = 3;
-        model->rigid_bodies[0].main_node = 1;
-        model->interfaces.resize(2);
-        for (int i = 0; i < 2; ++i) {
-            Interface& interface = model->interfaces[static_cast<size_t>(i)];
-            interface.id = 10 + i;
-            interface.tool = 0;
-            interface.secondary.node = {0};
-        }
-        scene.model = scene.host = model;
-        scene.effects.resize(2);
+        model->interfaces.push_back(model->interfaces[0]);
+        for (int i = 0; i < 2; ++i)
+            model->interfaces[static_cast<size_t>(i)].id = 10 + i;
+        scene = plan(model);
     }
 
     void request(HistoryRequest::Kind kind, std::vector<std::string> variables, std::vector<int> objects) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/performance/accuracy/truth.h"
+#include "verification/performance/accuracy/exact_answer.h"
 
 namespace type21::accuracy {
 namespace {
@@ -16,25 +16,25 @@ DecisionTool upright() {
     return tool;
 }
 
-TEST(Truth, OverAFlatTriangleItIsTheHeight) {
-    const Truth truth = truth_of(upright(), {{0.25, 0.25, 0.375}, 0.5, 0.5, 0});
-    EXPECT_EQ(truth.answer.kind, Kind::contact);
-    ASSERT_TRUE(truth.forced);
-    EXPECT_EQ(truth.force, 125.0);
-    EXPECT_EQ(truth.scale, 1000.0) << "k times the largest coordinate of the triangle";
-    const Truth behind = truth_of(upright(), {{0.25, 0.25, -0.25}, 0.5, 0.5, 0});
+TEST(ExactAnswer, OverAFlatTriangleItIsTheHeight) {
+    const ExactAnswer exact = exact_answer_of(upright(), {{0.25, 0.25, 0.375}, 0.5, 0.5, 0});
+    EXPECT_EQ(exact.answer.kind, Kind::contact);
+    ASSERT_TRUE(exact.forced);
+    EXPECT_EQ(exact.force, 125.0);
+    EXPECT_EQ(exact.scale, 1000.0) << "k times the largest coordinate of the triangle";
+    const ExactAnswer behind = exact_answer_of(upright(), {{0.25, 0.25, -0.25}, 0.5, 0.5, 0});
     EXPECT_EQ(behind.force, 750.0);
 }
 
-TEST(Truth, HasNoForceWithoutContactOrWithinRounding) {
-    EXPECT_FALSE(truth_of(upright(), {{0.25, 0.25, 0.75}, 0.5, 0.5, 0}).forced);
-    EXPECT_FALSE(truth_of(upright(), {{0.25, 0.25, 0.75}, 0.5, 0.5, 1.0}).forced) << "proximity";
-    EXPECT_FALSE(truth_of(upright(), {{0.25, 0.25, 0.5 - 8 * 0x1p-52}, 0.5, 0.5, 0}).forced);
-    EXPECT_TRUE(truth_of(upright(), {{0.25, 0.25, 0.5 - 32 * 0x1p-52}, 0.5, 0.5, 0}).forced);
+TEST(ExactAnswer, HasNoForceWithoutContactOrWithinRounding) {
+    EXPECT_FALSE(exact_answer_of(upright(), {{0.25, 0.25, 0.75}, 0.5, 0.5, 0}).forced);
+    EXPECT_FALSE(exact_answer_of(upright(), {{0.25, 0.25, 0.75}, 0.5, 0.5, 1.0}).forced) << "proximity";
+    EXPECT_FALSE(exact_answer_of(upright(), {{0.25, 0.25, 0.5 - 8 * 0x1p-52}, 0.5, 0.5, 0}).forced);
+    EXPECT_TRUE(exact_answer_of(upright(), {{0.25, 0.25, 0.5 - 32 * 0x1p-52}, 0.5, 0.5, 0}).forced);
 }
 
 // Roots to 40 digits by decimal arithmetic, which the compiler rounds once.
-TEST(Truth, AnIrrationalForceIsRoundedOnce) {
+TEST(ExactAnswer, AnIrrationalForceIsRoundedOnce) {
     EXPECT_EQ(exact_force(1, 2, 1, 2, 1), 0.5857864376269049511983112757903019214303);
     EXPECT_EQ(exact_force(1, 0.5, -1, 3, 7), 0.7474358296526967562182066202151246238490);
     // Nearly all of it cancels: g is the double next to the root of 2. Plain doubles leave nothing of it.

@@ -1,9 +1,9 @@
-#include "verification/performance/accuracy/question_scene.h"
+#include "verification/performance/accuracy/query_scene.h"
 
 #include <array>
 #include <cmath>
 
-#include "verification/decisions/question_families/family.h"
+#include "verification/decisions/question_families/question_family.h"
 #include "verification/decisions/question_families/tool_shapes.h"
 
 namespace type21::accuracy {
@@ -37,10 +37,10 @@ DecisionTool tool_of(Height height) {
 }
 
 /// Nodes anywhere over the tool, from DEPTH below to twice the gap above it.
-std::vector<QuestionBlock> random_over(Height height, const char* name, size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> random_over(Height height, const char* name, size_t count, std::uint64_t seed) {
     Draw draw(name, seed, 0);
     const double reach = limit_share * pitch * side / 2;
-    std::vector<QuestionBlock> blocks{{tool_of(height), {}, {}}};
+    std::vector<QueryBlock> blocks{{tool_of(height), {}, {}}};
     for (size_t i = 0; i < count; ++i) {
         const double x = draw.between(-reach, reach);
         const double y = draw.between(-reach, reach);
@@ -53,10 +53,10 @@ std::vector<QuestionBlock> random_over(Height height, const char* name, size_t c
 
 /// The nodes of a structured blank of half the tool's pitch, right above nodes, edges and centres of the tool, like a
 /// blank before it slides; every eighth one after it has slid by a decimal part of the pitch.
-std::vector<QuestionBlock> mesh_over(Height height, const char* name, size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> mesh_over(Height height, const char* name, size_t count, std::uint64_t seed) {
     Draw draw(name, seed, 0);
     const int columns = static_cast<int>(limit_share * side);
-    std::vector<QuestionBlock> blocks{{tool_of(height), {}, {}}};
+    std::vector<QueryBlock> blocks{{tool_of(height), {}, {}}};
     for (size_t i = 0; i < count; ++i) {
         const int column = draw.below(2 * columns) - columns, row = draw.below(2 * columns) - columns;
         const double slid = draw.chance(0.125) ? 0.1 * pitch * draw.below(10) : 0.0;
@@ -68,29 +68,29 @@ std::vector<QuestionBlock> mesh_over(Height height, const char* name, size_t cou
     return blocks;
 }
 
-std::vector<QuestionBlock> random_flat(size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> random_flat(size_t count, std::uint64_t seed) {
     return random_over(flat, "random_flat", count, seed);
 }
-std::vector<QuestionBlock> random_bowl(size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> random_bowl(size_t count, std::uint64_t seed) {
     return random_over(bowl, "random_bowl", count, seed);
 }
-std::vector<QuestionBlock> mesh_flat(size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> mesh_flat(size_t count, std::uint64_t seed) {
     return mesh_over(flat, "mesh_flat", count, seed);
 }
-std::vector<QuestionBlock> mesh_bowl(size_t count, std::uint64_t seed) {
+std::vector<QueryBlock> mesh_bowl(size_t count, std::uint64_t seed) {
     return mesh_over(bowl, "mesh_bowl", count, seed);
 }
 
-/// All families in turn, as many blocks of each as the count allows, at least one.
-std::vector<QuestionBlock> all_families(size_t count, std::uint64_t seed) {
-    std::vector<QuestionBlock> blocks;
-    const size_t rounds = std::max<size_t>(1, count / (families().size() * queries_per_block));
+/// All question families in turn, as many blocks of each as the count allows, at least one.
+std::vector<QueryBlock> all_families(size_t count, std::uint64_t seed) {
+    std::vector<QueryBlock> blocks;
+    const size_t rounds = std::max<size_t>(1, count / (question_families().size() * queries_per_block));
     for (std::uint64_t round = 0; round < rounds; ++round) {
-        for (const Family& family : families()) {
+        for (const QuestionFamily& family : question_families()) {
             DecisionBlock block = block_of(family, seed, round);
             std::vector<Vec3> before;
             before.reserve(block.queries.size());
-            for (const DecisionQuery& query : block.queries)
+            for (const ContactQuery& query : block.queries)
                 before.push_back(query.point);
             blocks.push_back({std::move(block.tool), std::move(block.queries), std::move(before)});
         }
@@ -106,7 +106,7 @@ std::span<const SceneKind> scene_kinds() {
         {"random_bowl", "easy", "nodes anywhere over a gently curved tool", random_bowl},
         {"mesh_flat", "common", "a structured blank of half the pitch on a structured flat tool", mesh_flat},
         {"mesh_bowl", "common", "the same blank, bent onto a structured, gently curved tool", mesh_bowl},
-        {"adversarial", "adversarial", "all families of hard questions: ties, slivers, folds, huge and tiny numbers",
+        {"adversarial", "adversarial", "all question families: ties, slivers, folds, huge and tiny numbers",
          all_families},
     }};
     return all;

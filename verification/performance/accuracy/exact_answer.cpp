@@ -1,4 +1,4 @@
-#include "verification/performance/accuracy/truth.h"
+#include "verification/performance/accuracy/exact_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "verification/criteria/lockstep/ulp_tally.h"
 #include "verification/decisions/fuzz/second_opinion.h"
 #include "verification/decisions/queries/decide.h"
-#include "verification/decisions/queries/question.h"
+#include "verification/decisions/queries/tool_candidates.h"
 
 namespace type21::accuracy {
 
@@ -16,7 +16,7 @@ namespace {
 
 using reference::Fraction;
 
-constexpr double rounding_ulps = 16;  // as the law: geometric_penetration() of the reference
+constexpr double rounding_ulps = 16;  // as in the law: geometric_penetration() of the reference
 
 double nearest(const Fraction& exact) {
     const auto [low, high] = exact.enclosure();
@@ -29,7 +29,7 @@ double nearest(const Fraction& exact) {
     return best;
 }
 
-bool fits(const DecisionTool& tool, const DecisionQuery& query) {
+bool fits(const DecisionTool& tool, const ContactQuery& query) {
     const auto of_size = [](const Vec3& x) {
         return x.cwiseAbs().maxCoeff() < 1e60 && (x.array() == 0 || x.array().abs() > 1e-60).all();
     };
@@ -55,22 +55,21 @@ double exact_force(double k, double gap, const Fraction& height, const Fraction&
     return nearest((Fraction(gap) - distance) * Fraction(k));
 }
 
-Truth truth_of(const DecisionTool& tool, const DecisionQuery& query) {
-    Truth truth;
-    truth.answer = second_opinion(tool, query);
-    if (truth.answer.kind != Kind::contact || !fits(tool, query)) return truth;
-    const Question question(tool, query);
-    const auto impact = reference::impact_in<Fraction>(question.input(), shape_of(tool, truth.answer.segment),
-                                                       truth.answer.segment, truth.answer.triangle);
+ExactAnswer exact_answer_of(const DecisionTool& tool, const ContactQuery& query) {
+    ExactAnswer exact;
+    exact.answer = second_opinion(tool, query);
+    if (exact.answer.kind != Kind::contact || !fits(tool, query)) return exact;
+    const auto impact = reference::impact_in<Fraction>(query, shape_of(tool, exact.answer.segment),
+                                                       exact.answer.segment, exact.answer.triangle);
     const auto& projection = impact.projection;
-    truth.force = exact_force(stiffness, query.gap, projection.height, projection.normal.dot(projection.normal),
+    exact.force = exact_force(stiffness, query.gap, projection.height, projection.normal.dot(projection.normal),
                               projection.slope);
     double largest = std::max(query.gap, query.point.cwiseAbs().maxCoeff());
-    for (const int corner : tool.segment[static_cast<size_t>(truth.answer.segment)])
+    for (const int corner : tool.segment[static_cast<size_t>(exact.answer.segment)])
         largest = std::max(largest, tool.node[static_cast<size_t>(corner)].cwiseAbs().maxCoeff());
-    truth.scale = stiffness * largest;
-    truth.forced = truth.force > rounding_ulps * ulp_of_one * truth.scale;
-    return truth;
+    exact.scale = stiffness * largest;
+    exact.forced = exact.force > rounding_ulps * ulp_of_one * exact.scale;
+    return exact;
 }
 
 }  // namespace type21::accuracy
