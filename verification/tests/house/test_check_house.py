@@ -16,6 +16,7 @@ IN_ORDER = {
     "reference/contact/law.h": "#include \"reference/contract/scene.h\"\n",
     "optimized/search/tree.h": "#include \"reference/contract/scene.h\"\n#include \"optimized/simd/lanes.h\"\n// the core, held\n",
     "optimized/simd/lanes.h": "#include <cmath>\n",
+    "optimized/kernel/laws.h": "#include \"optimized/search/tree.h\"\n#include \"reference/contract/scene.h\"\n",
     "verification/results/record/recorder.h": "#include \"verification/results/tables/table.h\"\n",
     "verification/results/tables/table.h": "#include \"verification/support/info.h\"\n",
     "verification/support/info.h": "#include \"optimized/search/tree.h\"\n",

@@ -29,11 +29,12 @@ int main() {
     motion.position = model->nodes.position;
     motion.velocity = velocity;
     motion.tools.resize(1);
-    for (const auto& [name, make] :
-         {std::pair{"reference", reference::make_contact}, {"optimized", optimized::make_contact}}) {
-        const NodeContact node = make(scene, 0)->step(motion).nodes[0];
+    const auto step = [&](const char* name, ContactMethod& contact) {
+        const NodeContact node = contact.step(motion).nodes[0];
         std::printf("%s: segment %d, sub-triangle %d, distance %g, penetration %g, force %g %g %g\n", name,
                     node.decision.segment + 1, node.decision.triangle, node.distance, node.penetration, node.force.x(),
                     node.force.y(), node.force.z());
-    }
+    };
+    step("reference", *reference::make_contact(scene, 0));
+    step("optimized", *optimized::make_contact(scene, 0));
 }
