@@ -19,7 +19,7 @@ std::string_view coefficient_name(size_t rank) {
     return names[rank];
 }
 
-/// How many of C1..C6 a law reads. Manual page, comment 13, table 1.
+/// How many of C1..C6 a law reads (manual page, comment 13, table 1).
 size_t coefficients_of(int ifric) {
     constexpr size_t count[] = {0, 5, 6, 6, 2};
     return ifric >= 0 && ifric <= 4 ? count[ifric] : 6;

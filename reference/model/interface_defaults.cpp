@@ -56,7 +56,7 @@ void apply_activity(const CardValidator& validator) {
     default_for_zero(it.tstop, no_limit, it.sensor >= 0 ? "not used: sens_ID decides" : "0 means never");
 }
 
-/// Memory for candidates; no result depends on it. Manual page, comment 10.
+/// Memory for candidates; no result depends on it (manual page, comment 10).
 /// @manual field Bumult; comment 10
 void apply_bumult(Interface& it, int nodes) {
     if (nodes > 2'500'000)

@@ -11,7 +11,7 @@ constexpr Dimension operator+(Dimension a, Dimension b) {
     return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
 }
 
-/// Dimension of C1..C6. Manual page, table 1; Ifric 4 from its formula.
+/// Dimension of C1..C6 (manual page, comment 13, table 1); Ifric 4 from its formula.
 Dimension friction_dimension(int ifric, size_t rank) {
     constexpr Dimension one = dim::none;
     constexpr Dimension v = dim::velocity;

@@ -86,7 +86,8 @@ TEST(FieldTable, OriginsStandBeside) {
 }
 
 TEST(FieldTable, FrictionCoefficientsHaveTheUnitsOfTheirLaw) {
-    // Page, table 1: law 1: 1/p, 1/v, 1/(pv), 1/p^2, 1/v^2; Renard: four pure numbers, two velocities.
+    // Table 1 of the manual page, comment 13: law 1: 1/p, 1/v, 1/(pv), 1/p^2, 1/v^2; Renard: four pure numbers, two
+    // velocities.
     Interface it;
     const auto dimension_of = [&](size_t rank) {
         for (const InterfaceField& field : interface_fields())

@@ -62,14 +62,14 @@ TEST(Plan, EachFieldAsksForItsEffect) {
 
 TEST(Plan, FilterAndSkidLineNeedFriction) {
     const Fields filter{{"Ifiltr", "1"}, {"Xfreq", "0.5"}, {"Pskid", "9.0"}};
-    EXPECT_EQ(effects(filter).size(), 2u) << "nothing rubs";
-    Fields rubbing = filter;
-    rubbing["Fric"] = "0.1";
-    EXPECT_EQ(effects(rubbing),
+    EXPECT_EQ(effects(filter).size(), 2u) << "there is no friction";
+    Fields with_friction = filter;
+    with_friction["Fric"] = "0.1";
+    EXPECT_EQ(effects(with_friction),
               (List{Effect::elastic, Effect::damping, Effect::friction, Effect::friction_filter, Effect::skid_line}));
-    rubbing["Xfreq"] = "0.0";
-    rubbing["Pskid"] = "1e30";
-    EXPECT_EQ(effects(rubbing), (List{Effect::elastic, Effect::damping, Effect::friction}));
+    with_friction["Xfreq"] = "0.0";
+    with_friction["Pskid"] = "1e30";
+    EXPECT_EQ(effects(with_friction), (List{Effect::elastic, Effect::damping, Effect::friction}));
 }
 
 TEST(Plan, HeatIsThereOnlyWithIthe) {
