@@ -42,7 +42,7 @@ inline double relaxed_offset(double offset, int inacti, double penetration, doub
 /// Inacti as it acts on later impacts: that of the card.
 /// @param any_penetrates  some node penetrates at time 0
 /// @return Inacti.  Formulation 6, step 3; as built: D26.
-inline int inacti_of_later_impacts(int inacti, bool /*any_penetrates*/) {
+inline int inacti_of_later_impacts(int inacti, [[maybe_unused]] bool any_penetrates) {
     return inacti;
 }
 

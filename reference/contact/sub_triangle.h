@@ -34,9 +34,8 @@ Vector<Number> mean(const std::array<Vector<Number>, 4>& four) {
 
 /// Sub-triangle k of a segment: quad (A, x_k, x_{k+1}) round A = mean of its nodes; triangle A = x_3, B = x_1, C = x_2.
 /// @param k  1..4 for a quad, 1 for a triangle; not checked
-/// @return corners, normals and area vector; the normal at A of a quad is the plain mean.  Formulation 1, step 3;
-/// Formulation 1, step 5
-///.
+/// @return corners, normals and area vector; the normal at A of a quad is the plain mean.
+/// Formulation 1, step 3; Formulation 1, step 5.
 template <class Number>
 SubTriangle<Number> sub_triangle(const SegmentShape<Number>& segment, int k) {
     SubTriangle<Number> t;

@@ -16,7 +16,7 @@ struct ToolStiffness {
 /// Stiffness on which the tool is damped: the sum of k.
 /// @param contact  of k
 /// @param step     of k + C/dt1.  Formulation 9, step 16; as built: D13.
-inline ToolStiffness tool_damping_stiffness(const ToolStiffness& contact, const ToolStiffness& /*step*/) {
+inline ToolStiffness tool_damping_stiffness(const ToolStiffness& contact, [[maybe_unused]] const ToolStiffness& step) {
     return contact;
 }
 

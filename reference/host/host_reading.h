@@ -27,7 +27,7 @@ inline double impulse_weight(const CycleSteps& steps) {
 
 /// Orientation of a tool that the contact sees: that of t_n.
 /// @param before  that of the cycle before.  Formulation 11, step 1; as built: D24.
-inline const Rotation& tool_rotation(const Rotation& now, const Rotation& /*before*/) {
+inline const Rotation& tool_rotation(const Rotation& now, [[maybe_unused]] const Rotation& before) {
     return now;
 }
 
@@ -43,7 +43,7 @@ inline double step_of_cycle_before(const CycleSteps& steps) {
 /// As documented: orientation and position of a tool are of the same time. As built: the orientation is one step older.
 /// Formulation 12, step 2.
 /// @manual departure D24
-inline const Rotation& tool_rotation(const Rotation& /*now*/, const Rotation& before) {
+inline const Rotation& tool_rotation([[maybe_unused]] const Rotation& now, const Rotation& before) {
     return before;
 }
 
