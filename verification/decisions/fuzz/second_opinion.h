@@ -1,7 +1,7 @@
 /// @file An exact answer by other formulas and other code than the reference's: what the fuzzer compares with.
 ///
-/// The reference follows Formulation 3 in space, and it divides. Here the same geometry is worked out in the plane of
-/// the sub-triangle, without any division. The two share nothing but the definition.
+/// The reference follows Formulation 3, step 1 to step 6, in space, and it divides. Here the same geometry is worked
+/// out in the plane of the sub-triangle, without any division. The two share nothing but the definition.
 ///
 /// With e1 = B - A, e2 = C - A, N = e1 x e2, G = |N|^2, any vector v is (v1 e1 + v2 e2 + v3 N)/G with
 ///   v1 = <v, e2 x N>,   v2 = <v, N x e1>,   v3 = <v, N>.
