@@ -45,7 +45,7 @@ class Decider {
     void add(int rank, const SegmentData& segment) {
         const LocalSegment local = local_segment(segment);
         for (int k = 1; k <= segment.pieces(); ++k) {
-            if (leader_.known && follows(rank, segment, k)) continue;
+            if (leader_.known && follows(rank, segment, local, k)) continue;
             const FilterResult result = filter(p_, segment, local, k, window_, rules_);
             if (result.verdict == Verdict::taken && result.landing.kind == Kind::contact && alone_on_corner(result) &&
                 !rules_.lift_leaning)
@@ -88,8 +88,10 @@ class Decider {
         for (const Contender& one : more_)
             f(one);
     }
-    /// The lowest so far of those that take the node as contact from exactly above one corner. All that have this
-    /// corner are tied with it (tie.h) or do not take the node, so that those with a higher number need not be asked.
+    /// The lowest so far of those that take the node as contact from exactly above one corner V. Another sub-triangle
+    /// with this corner and <n_V, N'> not zero is tied with it (tie.h) or does not take the node: where <n_V, N'> < 0
+    /// it rejects the node, which is off its plane or is V. So those with a higher number need not be asked. Where
+    /// <n_V, N'> = 0 the node may lie in the plane of N' and away from V: nothing is lifted, and kappa is any number.
     /// Not with D35, where one that leans takes the node elsewhere.
     struct Leader {
         bool known = false, followed = false;
@@ -100,10 +102,12 @@ class Decider {
     static bool alone_on_corner(const FilterResult& result) {
         return std::abs(result.landing.kappa - kappa_on_corner) <= result.landing.kappa_bound + 1e-15;
     }
-    /// Has it the leader's corner, and a higher number?
-    bool follows(int rank, const SegmentData& segment, int piece) {
+    /// Has it a higher number than the leader and the leader's corner, where its slope is proven not to be zero?
+    bool follows(int rank, const SegmentData& segment, const LocalSegment& local, int piece) {
         const bool lower = rank < leader_.segment || (rank == leader_.segment && piece < leader_.piece);
-        if (lower || !leader_.corner.of(rank, segment, piece)) return false;
+        if (lower) return false;
+        const int corner = leader_.corner.index_in(rank, segment, piece);
+        if (corner < 0 || !slope_is_not_zero(segment, local, piece, corner)) return false;
         leader_.followed = true;
         return true;
     }

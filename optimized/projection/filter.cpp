@@ -241,6 +241,24 @@ FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment&
     return filter_in<double>(p, segment, local, k, window, rules, nullptr);
 }
 
+// The bounds of N and of the slopes are those of filter_in, with S = extent: the node has no part in them.
+bool slope_is_not_zero(const SegmentData& segment, const LocalSegment& local, int k, int corner) {
+    constexpr double e = Rounding<double>::unit;
+    const double s = local.extent, nm = local.normal_size;
+    if (!(s >= Range<double>::smallest_length && s <= Range<double>::largest_length &&
+          nm >= Range<double>::smallest_normal && nm <= Range<double>::largest_normal))
+        return false;
+    const PieceCorners corners = piece_corners(segment.triangle, k);
+    const V3 area = cross(local.corner[static_cast<size_t>(corners.b)] - local.center,
+                          local.corner[static_cast<size_t>(corners.c)] - local.center);
+    const double area_size = largest(area);
+    const double eta = 48 * e * s * s / area_size * second_order;
+    if (!(eta < too_coarse)) return false;
+    const V3& n =
+        corner == 0 ? local.center_normal : segment.normal[static_cast<size_t>(corner == 1 ? corners.b : corners.c)];
+    return std::abs(dot(n, area)) > 3.7 * eta * nm * area_size * second_order;
+}
+
 namespace {
 
 template <bool fused>

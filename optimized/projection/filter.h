@@ -49,4 +49,7 @@ FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment&
 FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
                          const ProjectionLimits& rules, FineKappa& kappa);
 
+/// Proven: <n_V, N> is not zero. @param corner  V, 0: A, 1: B, 2: C of sub-triangle k
+bool slope_is_not_zero(const SegmentData& segment, const LocalSegment& local, int k, int corner);
+
 }  // namespace type21::optimized

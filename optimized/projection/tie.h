@@ -46,11 +46,15 @@ struct TieCorner {
     int centre_of = -1;  ///< segment of which it is the centre; -1: it is a node
     V3 at, normal;       ///< of a node
 
-    bool of(int rank, const SegmentData& s, int piece) const {
-        if (centre_of >= 0) return rank == centre_of;
+    /// Which corner of a sub-triangle it is: 0: A, 1: B, 2: C, -1: none.
+    int index_in(int rank, const SegmentData& s, int piece) const {
+        if (centre_of >= 0) return rank == centre_of ? 0 : -1;
         const PieceCorners k = piece_corners(s.triangle, piece);
-        return is(s, k.b) || is(s, k.c) || (s.triangle && is(s, 2));
+        if (is(s, k.b)) return 1;
+        if (is(s, k.c)) return 2;
+        return s.triangle && is(s, 2) ? 0 : -1;
     }
+    bool of(int rank, const SegmentData& s, int piece) const { return index_in(rank, s, piece) >= 0; }
 
   private:
     bool is(const SegmentData& s, int j) const {

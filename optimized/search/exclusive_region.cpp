@@ -49,8 +49,10 @@ int Search::vertex_at(int place, int i) const {
     return tool_.corner(segment)[static_cast<size_t>(i == 0 ? 2 : (i == 1 ? k.b : k.c))];
 }
 
-bool Search::has_corner(int place, int vertex) const {
-    return vertex_at(place, 0) == vertex || vertex_at(place, 1) == vertex || vertex_at(place, 2) == vertex;
+int Search::corner_at(int place, int vertex) const {
+    for (int i = 0; i < 3; ++i)
+        if (vertex_at(place, i) == vertex) return i;
+    return -1;
 }
 
 /// Has no sub-triangle with a lower number that corner?
@@ -58,7 +60,7 @@ bool Search::first_at(int place, int i, std::span<const int> segments) const {
     const int vertex = vertex_at(place, i);
     for (const int s : segments)
         for (int k = 1; k <= (tool_.is_triangle(s) ? 1 : 4) && place_of(s, k) < place; ++k)
-            if (has_corner(place_of(s, k), vertex)) return false;
+            if (corner_at(place_of(s, k), vertex) >= 0) return false;
     return true;
 }
 
@@ -128,11 +130,14 @@ void Search::find_cores(int rank) const {
                 while (beyond >= 0 && partner(place_of(rank, static_cast<int>(k) + 1), beyond) != place)
                     --beyond;
                 own_margins[k].keep_from(lines, beyond);
-                for (int c = 0; c < 3; ++c)
-                    if ((leads[k] >> c & 1U) != 0 &&
-                        !has_corner(place, vertex_at(place_of(rank, static_cast<int>(k) + 1), c)) &&
-                        !own_margins[k].apart_at(lines, c))
-                        leads[k] &= ~(1U << c);
+                for (int c = 0; c < 3; ++c) {
+                    if ((leads[k] >> c & 1U) == 0) continue;
+                    const int shared = corner_at(place, vertex_at(place_of(rank, static_cast<int>(k) + 1), c));
+                    const bool harmless =
+                        shared < 0 ? own_margins[k].apart_at(lines, c)
+                                   : slope_is_not_zero(facing, local_segment(facing), static_cast<int>(j) + 1, shared);
+                    if (!harmless) leads[k] &= ~(1U << c);
+                }
             }
         }
     }

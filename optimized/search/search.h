@@ -68,9 +68,9 @@ struct ReachBoxRule {
 /// that side >= m2(T) is taken by any sub-triangle but T and E. There the two decide between them: near a side, where
 /// the 1 % by which sub-triangles overlap keeps nodes out of every core.
 ///
-/// Corners. T leads at its corner V when it has the lowest number of all that have V, and no point that T takes with a
-/// weight of V >= lead_weight is taken by any that has not. Exactly above V all that have it are tied (tie.h): if T
-/// takes the node, it is retained.
+/// Corners. T leads at its corner V when it has the lowest number of all that have V, the slope <n_V, N'> of each of
+/// these is proven not to be zero, and no point that T takes with a weight of V >= lead_weight is taken by any that has
+/// not V. Exactly above V all that have it are tied (tie.h) or do not take the node: if T takes it, T is retained.
 ///
 /// Steady. Where T is retained, a ball around the node in which every sub-triangle that takes it has a larger kappa
 /// than T: as long as T takes it as contact, T is retained. A sub-triangle that takes the node now, or is only too far
@@ -199,7 +199,8 @@ class Search {
     /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
     int partner(int place, int side) const;
     int vertex_at(int place, int i) const;
-    bool has_corner(int place, int vertex) const;
+    /// Which corner of a sub-triangle a vertex is: 0: A, 1: B, 2: C, -1: none.
+    int corner_at(int place, int vertex) const;
     bool first_at(int place, int i, std::span<const int> segments) const;
     void ask_all(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
                  Found& found) const;
