@@ -12,20 +12,23 @@ using testing::exhaustive;
 using testing::OnALattice;
 using testing::same;
 
-/// Asked in every way there is: sub-triangle by sub-triangle, on the whole tool, and with each sub-triangle in memory.
-void expect_exact(const Tool& tool, const Search& search, const V3& y, const ContactReach& contact_reach,
+/// Decides the node by a full search, and with each sub-triangle in memory.
+void expect_exact(const Tool& tool, const Search& search, const V3& y, const ContactReach& reach,
                   const Retained& expected) {
-    EXPECT_TRUE(same(search.search(y, contact_reach, {}), expected)) << "on the whole tool";
-    for (int place = -1; place < 4 * tool.size(); ++place) {
-        if (place >= 0 && tool.is_triangle(segment_of(place)) && piece_of(place) > 1) continue;
+    EXPECT_TRUE(same(search.search(y, reach, {}), expected)) << "by a full search";
+    std::vector<SubTriangleId> remembered{SubTriangleId::none()};
+    for (int segment = 0; segment < tool.size(); ++segment)
+        for (int k = 1; k <= (tool.is_triangle(segment) ? 1 : 4); ++k)
+            remembered.emplace_back(segment, k);
+    for (const SubTriangleId id : remembered) {
         Memory memory;
-        memory.look_at(place);
-        const Search::Asked asked{y, contact_reach, &memory};
+        memory.look_at(id);
+        const Search::NodeQuery query{y, reach, &memory};
         Search::Found found;
         // Twice: what the first call remembers is what the second one begins with.
         for (int time = 0; time < 2; ++time) {
-            search.find(&asked, 1, {}, &found);
-            ASSERT_TRUE(same(found.retained, expected)) << "from " << place << ", time " << time;
+            search.find(&query, 1, {}, &found);
+            ASSERT_TRUE(same(found.retained, expected)) << "from " << id.code() << ", time " << time;
         }
     }
 }
@@ -41,7 +44,7 @@ TEST(VerticalWalls, ThatShareACornerWithAFloorAreNotTiedWithIt) {
     ASSERT_EQ(tool.normal(0, 2).x, 0);
     const Search search(tool, {1, 1, 0.01, false}, {});
     const V3 p = tool.normal(0, 2) * 0.5;
-    EXPECT_EQ(exhaustive(tool, p, {1, 1, 0}, {}).segment, 4);
+    EXPECT_EQ(exhaustive(tool, p, {1, 1, 0}, {}).id.segment(), 4);
     for (const double x : {0.0, 0x1p-1074, -0x1p-1074, 0x1p-53, -0x1p-53})
         expect_exact(tool, search, {x, p.y, p.z}, {1, 1, 0}, exhaustive(tool, {x, p.y, p.z}, {1, 1, 0}, {}));
 }
@@ -53,8 +56,8 @@ TEST(VerticalWalls, InAQuadAreNotTiedWithTheOthersAboveItsCentre) {
     const std::vector<V3> normal{{0, -2, 1}, {2, 0, 1}, {1, -1, 1}, {1, -1, 1}};  // their mean is (1, -1, 1)
     const Tool tool(position, normal, {{0, 1, 2, 3}});
     const Search search(tool, {2, 2, 0.01, false}, {});
-    EXPECT_EQ(exhaustive(tool, {0.5, -0.5, 0.5}, {2, 2, 0}, {}).piece, 4);
-    EXPECT_EQ(exhaustive(tool, {0.5, -0.5, 0.5 + 0x1p-53}, {2, 2, 0}, {}).piece, 2);
+    EXPECT_EQ(exhaustive(tool, {0.5, -0.5, 0.5}, {2, 2, 0}, {}).id.triangle(), 4);
+    EXPECT_EQ(exhaustive(tool, {0.5, -0.5, 0.5 + 0x1p-53}, {2, 2, 0}, {}).id.triangle(), 2);
     for (const double t : {0.25, 0.5, -0.5})
         for (const double beside : {0.0, 0x1p-53, -0x1p-53})
             expect_exact(tool, search, {t, -t, t + beside}, {2, 2, 0},
@@ -70,11 +73,11 @@ TEST(VerticalWalls, OfManySmallToolsAreDecidedExactly) {
         const Search search(tool, {gap, gap, 0.01, false}, {});
         for (int i = 0; i < 16; ++i) {
             const V3 y = lattice.node(tool);
-            const ContactReach contact_reach{gap, gap, 0};
-            const Retained exact = exhaustive(tool, y, contact_reach, {});
-            expect_exact(tool, search, y, contact_reach, exact);
+            const ContactReach reach{gap, gap, 0};
+            const Retained exact = exhaustive(tool, y, reach, {});
+            expect_exact(tool, search, y, reach, exact);
             ASSERT_FALSE(HasFailure()) << "seed " << seed << ", node " << i;
-            contact += exact.segment >= 0;
+            contact += exact.exists();
         }
     }
     EXPECT_GT(contact, 600);
