@@ -30,7 +30,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         tbb::blocked_range<int>(0, static_cast<int>(lists.size())),
         [&](const tbb::blocked_range<int>& range) {
             Workspace& w = work.local();
-            w.batch->cores = exclusive_region_policy.often();
+            w.batch->exclusive_regions = exclusive_region_policy.pays();
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
                 ChunkLists& own = lists[static_cast<size_t>(c)];
@@ -45,7 +45,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         total.add(w.sums);
         cycle_paths.add(w.tally);
     }
-    exclusive_region_policy.add(cycle_paths, count, laws.search->places());
+    exclusive_region_policy.add(cycle_paths, count, laws.search->slots());
     counts.add(cycle_paths);
     counts.nodes += count;
     if (lanes && !laws.has(effect::friction)) total.without_friction();
@@ -97,7 +97,7 @@ ToolLoad Contact::State::tool_load(const Motion& motion) const {
     return load;
 }
 
-/// The sensor alone where there is one, else the window of time.
+/// The sensor alone where there is one, else the reach of time.
 /// @manual field Tstart, Tstop, sens_ID; comment 20
 bool Contact::State::active(double time) const {
     const Interface& card = *laws.card;
@@ -140,7 +140,7 @@ void Contact::step_into(const Motion& motion, ContactStep& step) {
 const LeanStep& Contact::step_lean(const Motion& motion) {
     State& state = *state_;
     if (state.laws.heat || state.laws.release || state.laws.normals_test || state.adaptive || state.laws.skid)
-        throw std::logic_error("type21: this scene asks for what a lean step does not report; use step()");
+        throw std::logic_error("type21: this scene has output that a lean step does not report; use step()");
     LeanStep& lean = state.lean;
     ContactStep gaps;
     if (!state.started) state.start(motion);
@@ -162,10 +162,10 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
 DecisionStageCounts Contact::decision_stage_counts() const {
     const PathCounts& counts = state_->counts;
     DecisionStageCounts total;
-    // Nodes that are not asked (no stiffness, no heat, deleted) are no decisions.
-    total.nothing_near = counts.quiet;
-    total.settled = {counts.certified + counts.steady + counts.paired + counts.searched - counts.fine - counts.whole,
-                     counts.fine, counts.whole};
+    // Inactive nodes (no stiffness and no heat, or deleted) are no decisions.
+    total.nothing_near = counts.separated;
+    const long decided = counts.exclusive_region + counts.ranking_safe + counts.edge_neighbour + counts.searched;
+    total.settled = {decided - counts.double_double - counts.integer, counts.double_double, counts.integer};
     return total;
 }
 
@@ -173,16 +173,16 @@ std::vector<EffectMemory> Contact::memory_by_effect() const {
     const State& s = *state_;
     // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node and the memory of the
     // search.
-    std::vector<EffectMemory> rooms{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + sizeof(Memory)}};
+    std::vector<EffectMemory> memory{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + sizeof(Memory)}};
     const size_t n = std::max<size_t>(s.nodes.node.size(), 1);
-    if (s.laws.growth) rooms.push_back({Effect::gap_growth, sizeof(double) + s.laws.growth->bytes() / n});
+    if (s.laws.growth) memory.push_back({Effect::gap_growth, sizeof(double) + s.laws.growth->bytes() / n});
     if (s.laws.has(effect::friction))
-        rooms.push_back({Effect::friction, sizeof(V3) + s.laws.friction_table.bytes_per_node()});
-    if (s.laws.skid) rooms.push_back({Effect::skid_line, sizeof(double)});
-    if (s.laws.heat) rooms.push_back({Effect::heat, HeatLaw::bytes_per_node()});
-    if (s.laws.release) rooms.push_back({Effect::release_bcs, sizeof(char)});
-    if (s.laws.deletion) rooms.push_back({Effect::deletion, s.laws.deletion->bytes() / n});
-    return rooms;
+        memory.push_back({Effect::friction, sizeof(V3) + s.laws.friction_table.bytes_per_node()});
+    if (s.laws.skid) memory.push_back({Effect::skid_line, sizeof(double)});
+    if (s.laws.heat) memory.push_back({Effect::heat, HeatLaw::bytes_per_node()});
+    if (s.laws.release) memory.push_back({Effect::release_bcs, sizeof(char)});
+    if (s.laws.deletion) memory.push_back({Effect::deletion, s.laws.deletion->bytes() / n});
+    return memory;
 }
 
 PathCounts Contact::paths() const {
@@ -195,8 +195,8 @@ size_t Contact::tool_bytes() const {
 
 size_t Contact::bytes_per_node() const {
     size_t bytes = 0;
-    for (const EffectMemory& room : memory_by_effect())
-        bytes += room.bytes_per_node;
+    for (const EffectMemory& effect : memory_by_effect())
+        bytes += effect.bytes_per_node;
     return bytes;
 }
 

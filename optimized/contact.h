@@ -8,7 +8,7 @@
 
 namespace type21::optimized {
 
-/// What the time integration needs of a cycle, and no more: a whole ContactStep is 400 bytes a node to write.
+/// What the time integration needs of a cycle. A full ContactStep writes 400 bytes a node.
 struct LeanStep {
     bool active = false;
     std::span<const Vec3> force;             ///< on each secondary node [force]; empty while inactive
@@ -17,9 +17,9 @@ struct LeanStep {
     ToolLoad tool;
 };
 
-/// How decisions came about since the start.
+/// Counts of how decisions were reached since the start.
 struct PathCounts : PathTally {
-    long nodes = 0;  ///< asked
+    long nodes = 0;  ///< of all cycles
 };
 
 /// Threads: as many as the TBB arena that calls step has; the result is the same bits for any number.
@@ -31,8 +31,8 @@ class Contact final : public ContactMethod {
     ContactStep step(const Motion& motion) override;
     void step_into(const Motion& motion, ContactStep& into) override;
     /// The same cycle without the per-node report. Lists of released and inverted nodes, heat and adaptive data are in
-    /// the full step only; a scene that asks for one of them is refused.
-    /// @throws std::logic_error then
+    /// the full step only.
+    /// @throws std::logic_error for a scene with one of these
     const LeanStep& step_lean(const Motion& motion);
 
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;

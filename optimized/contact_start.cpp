@@ -22,7 +22,7 @@ double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
 }  // namespace
 
 Contact::State::State(const Scene& scene_, int interface_)
-    : scene(scene_), interface(interface_), laws(scene_, interface_), reach(0), inacti(laws.card->inacti) {
+    : scene(scene_), interface(interface_), laws(scene_, interface_), largest_reach(0), inacti(laws.card->inacti) {
     const Interface& card = *laws.card;
     const SecondarySide& side = card.secondary;
     const size_t n = side.node.size();
@@ -44,9 +44,9 @@ Contact::State::State(const Scene& scene_, int interface_)
     if (laws.skid) nodes.skid.assign(n, 0.0);
     if (laws.release) nodes.released.assign(n, 0);
     if (has(Effect::adaptive_data)) adaptive.emplace(*laws.model, card, laws.tool);
-    reach = laws.proximity;
+    largest_reach = laws.proximity;
     for (size_t i = 0; i < n; ++i)
-        reach = std::max(reach, nodes.deciding_gap(i));
+        largest_reach = std::max(largest_reach, nodes.deciding_gap(i));
     new_search();
     lists.resize((n + chunk - 1) / chunk);
     one_by_one = kernel_for(laws.effects());
@@ -65,13 +65,13 @@ void Contact::State::new_search() {
         const RigidBody& tool = laws.model->rigid_bodies[static_cast<size_t>(card.tool)];
         boxes.axes = Eigen::SelfAdjointEigenSolver<Mat3>(tool.inertia).eigenvectors();
     }
-    Limits limits;
-    limits.outward = reach;
+    CaptureLimits limits;
+    limits.outward = largest_reach;
     limits.inward = card.depth;
     limits.margin = as_built.has(Departure::D31) ? 0.05 : 0.01;
     limits.lift_leaning = as_built.has(Departure::D35);
     laws.search = std::make_unique<Search>(laws.tool, limits, boxes);
-    // What nodes remember of the old search holds for the old limits.
+    // What nodes remember holds for the old limits only.
     for (Memory& memory : nodes.memory)
         memory.forget();
 }
@@ -93,26 +93,27 @@ void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
         step.smallest_gap_raw = std::min(step.smallest_gap_raw, gap.raw);
         step.largest_gap_raw = std::max(step.largest_gap_raw, gap.raw);
     }
-    if (most <= reach) return;
-    reach = 1.25 * most;  // room, so that a growing sheet does not ask for a new search every cycle
+    if (most <= largest_reach) return;
+    largest_reach = 1.25 * most;  // more than needed, so that a growing sheet does not build a new search every cycle
     new_search();
 }
 
-Contact::State::First Contact::State::first_look(size_t i, const Vec3& position, const ToolMotion& pose) const {
+Contact::State::StartImpact Contact::State::impact_at_start(size_t i, const Vec3& position,
+                                                            const ToolMotion& pose) const {
     const Interface& card = *laws.card;
     const Vec3 at = pose.rotation.transpose() * (position - pose.position);
     const V3 y = from(at);
-    First first;
+    StartImpact first;
     if (laws.as_built(Departure::D31)) {
         ProjectionLimits rules = laws.rules;
         rules.low = -0.05;
         rules.high = 1.05;
         first.retained = laws.search->search(y, {nodes.gap[i], card.depth, 0.0}, rules, false);
-        if (first.retained.segment < 0) return first;
+        if (!first.retained.exists()) return first;
         first.point = contact_point_at_start(laws.tool, first.retained, y);
     } else {
         first.retained = laws.search->search(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules);
-        if (first.retained.segment < 0) return first;
+        if (!first.retained.exists()) return first;
         first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, y, position, pose)
                                : contact_point(laws.tool, first.retained, pose);
     }
@@ -126,7 +127,7 @@ void Contact::State::start(const Motion& motion) {
     const ToolMotion& pose = motion.tools[static_cast<size_t>(laws.card->tool)];
     bool any = false;
     for (size_t i = 0; i < nodes.node.size(); ++i) {
-        const double p = first_look(i, motion.position[static_cast<size_t>(nodes.node[i])], pose).penetration;
+        const double p = impact_at_start(i, motion.position[static_cast<size_t>(nodes.node[i])], pose).penetration;
         if (p <= 0) continue;
         any = true;
         nodes.offset[i] = offset_at_start(inacti, p, nodes.gap[i], laws.card->depth);
@@ -142,10 +143,10 @@ std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<
     std::vector<InitialPenetration> found;
     for (size_t i = 0; i < state.nodes.node.size(); ++i) {
         const int node = state.nodes.node[i];
-        const State::First first = state.first_look(i, positions[static_cast<size_t>(node)], pose);
+        const State::StartImpact first = state.impact_at_start(i, positions[static_cast<size_t>(node)], pose);
         if (first.penetration <= 0) continue;
         found.push_back(
-            {node, first.retained.segment, first.penetration, first.point.distance, to_vec3(first.point.normal)});
+            {node, first.retained.id.segment(), first.penetration, first.point.distance, to_vec3(first.point.normal)});
     }
     return found;
 }

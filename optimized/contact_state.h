@@ -11,23 +11,23 @@
 
 namespace type21::optimized {
 
-inline constexpr int chunk = Search::Batch::room;  ///< nodes that one thread takes at a time
+inline constexpr int chunk = Search::Batch::capacity;  ///< nodes that one thread takes at a time
 
 struct Contact::State {
     State(const Scene& scene, int interface);
 
     /// Inacti 1, 5, 6: the histories of time 0.
     void start(const Motion& motion);
-    /// Gaps of this cycle (Igap 2); a new search when they outgrow the old one's limits.
+    /// Gaps of this cycle (Igap 2). A new search is built when they exceed the limits of the old one.
     void update_gaps(const Motion& motion, ContactStep& step);
     void new_search();
     /// The impact that decides Inacti and the list of initial penetrations; with D31 by another projection.
-    struct First {
+    struct StartImpact {
         double penetration = 0;
         Retained retained;
         ContactPoint point;
     };
-    First first_look(size_t i, const Vec3& position, const ToolMotion& pose) const;
+    StartImpact impact_at_start(size_t i, const Vec3& position, const ToolMotion& pose) const;
     /// Runs the kernel over all nodes.
     void run(const Motion& motion, const Output& out);
     ContactSums sums() const;
@@ -39,7 +39,7 @@ struct Contact::State {
     int interface;
     Laws laws;
     NodeData nodes;
-    double reach;  ///< that the search holds for [length]
+    double largest_reach;  ///< CaptureLimits::outward of the search [length]
     Kernel one_by_one;
     double least_inertia = 0;  ///< smallest principal inertia of the tool [mass length^2]
     bool started = false;

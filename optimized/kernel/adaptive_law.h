@@ -1,4 +1,4 @@
-/// @file Data for adaptive meshing (page comment 3, formulation section 9).
+/// @file Data for adaptive meshing (manual page, comment 3; Formulation 9, step 15).
 #pragma once
 
 #include <span>

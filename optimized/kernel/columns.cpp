@@ -1,5 +1,5 @@
-// Vectors are turned in registers, as many at a time as these have lanes: a row is written by whole registers, which
-// costs a third of writing its numbers one by one.
+// Vectors are transposed in registers, as many at a time as a register has lanes. A row is written by full registers,
+// which costs a third of writing its numbers one by one.
 #include "optimized/kernel/columns.h"
 
 #include <cstring>

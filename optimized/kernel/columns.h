@@ -17,23 +17,23 @@ using ConstComponents = std::array<const double*, 3>;
 
 /// from[0], from[1], ... into rows.
 void into_rows(const V3* from, int count, const Components& to, SimdWidth machine = this_machine());
-/// from[index[0]], from[index[1]], ... into rows; mostly these follow each other.
+/// from[index[0]], from[index[1]], ... into rows; indices are mostly consecutive.
 void into_rows(std::span<const Vec3> from, const int* index, int count, const Components& to,
                SimdWidth machine = this_machine());
 /// The other way.
 void from_rows(const ConstComponents& from, int count, V3* to, SimdWidth machine = this_machine());
 void from_rows(const ConstComponents& from, int count, Vec3* to, SimdWidth machine = this_machine());
 
-template <size_t room>
-void into_rows(const V3* from, int count, double (&to)[3][room]) {
+template <size_t capacity>
+void into_rows(const V3* from, int count, double (&to)[3][capacity]) {
     into_rows(from, count, Components{to[0], to[1], to[2]});
 }
-template <size_t room>
-void into_rows(std::span<const Vec3> from, const int* index, int count, double (&to)[3][room]) {
+template <size_t capacity>
+void into_rows(std::span<const Vec3> from, const int* index, int count, double (&to)[3][capacity]) {
     into_rows(from, index, count, Components{to[0], to[1], to[2]});
 }
-template <class Vector, size_t room>
-void from_rows(const double (&from)[3][room], int count, Vector* to) {
+template <class Vector, size_t capacity>
+void from_rows(const double (&from)[3][capacity], int count, Vector* to) {
     from_rows(ConstComponents{from[0], from[1], from[2]}, count, to);
 }
 

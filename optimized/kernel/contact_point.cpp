@@ -12,12 +12,12 @@ PointWeights weights_in(const V3& q, const V3& a, const V3& b, const V3& c, cons
     return {1 - wb - wc, wb, wc};
 }
 
-/// Steps 1 to 3 in plain double, in space and not in the coordinates of the triangle; those of the landing where this
-/// is not a number.
+/// Steps 1 to 3 in plain double, in space and not in the coordinates of the triangle; those of the projection where
+/// this is not a number.
 PointWeights weights_step_by_step(const SegmentData& s, const Retained& r, const V3& y) {
-    const PieceCorners k = piece_corners(s.triangle, r.piece);
+    const SubTriangleCorners k = sub_triangle_corners(s.is_triangle, r.id.triangle());
     const auto corners = [&](const std::array<V3, 4>& v) {
-        return std::array<V3, 3>{s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)],
+        return std::array<V3, 3>{s.is_triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)],
                                  v[static_cast<size_t>(k.c)]};
     };
     const std::array<V3, 3> x = corners(s.node), n = corners(s.normal);
@@ -38,22 +38,22 @@ PointWeights weights_step_by_step(const SegmentData& s, const Retained& r, const
     const V3 q = y - normal * (height / dot(normal, area));
     const PointWeights w = weights_in(q, x[0], x[1], x[2], area);
     if (std::isfinite(w.b) && std::isfinite(w.c)) return w;
-    return {1 - r.landing.b - r.landing.c, r.landing.b, r.landing.c};
+    return {1 - r.projection.b - r.projection.c, r.projection.b, r.projection.c};
 }
 
 }  // namespace
 
 ContactPoint contact_point_as_built(const Tool& tool, const Retained& r, const V3& y, const Vec3& position,
                                     const ToolMotion& pose) {
-    SegmentData s = tool.segment(r.segment);
+    SegmentData s = tool.segment(r.id.segment());
     const PointWeights w = weights_step_by_step(s, r, y);
     for (size_t j = 0; j < 4; ++j) {
         s.node[j] = from(pose.position) + rotated(pose.rotation, s.node[j]);
         s.normal[j] = rotated(pose.rotation, s.normal[j]);
     }
-    const PieceCorners k = piece_corners(s.triangle, r.piece);
+    const SubTriangleCorners k = sub_triangle_corners(s.is_triangle, r.id.triangle());
     const auto at = [&](const std::array<V3, 4>& v) {
-        return w.of(s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
+        return w.of(s.is_triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
     };
     ContactPoint point;
     point.point = at(s.node);
@@ -66,12 +66,12 @@ ContactPoint contact_point_as_built(const Tool& tool, const Retained& r, const V
 }
 
 ContactPoint contact_point_at_start(const Tool& tool, const Retained& r, const V3& y) {
-    const SegmentData s = tool.segment(r.segment);
-    const PieceCorners k = piece_corners(s.triangle, r.piece);
-    const ProjectionResult& l = r.landing;
+    const SegmentData s = tool.segment(r.id.segment());
+    const SubTriangleCorners k = sub_triangle_corners(s.is_triangle, r.id.triangle());
+    const ProjectionResult& l = r.projection;
     const PointWeights w{1 - l.b - l.c, l.b, l.c};
     const auto at = [&](const std::array<V3, 4>& v) {
-        return w.of(s.triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
+        return w.of(s.is_triangle ? v[2] : mean_of(v), v[static_cast<size_t>(k.b)], v[static_cast<size_t>(k.c)]);
     };
     ContactPoint point;
     point.point = at(s.node);

@@ -1,4 +1,4 @@
-/// @file Where the retained impact lies (formulation section 5).
+/// @file Where the retained impact lies (Formulation 5, steps 1 to 3).
 #pragma once
 
 #include "optimized/projection/decide.h"
@@ -11,12 +11,12 @@ namespace type21::optimized {
 
 inline Decision decision_of(const Retained& r) {
     Decision d;
-    d.kind = r.landing.kind;
-    d.segment = r.segment;
-    d.triangle = r.piece;
-    d.side = r.landing.side;
-    d.b = r.landing.b;
-    d.c = r.landing.c;
+    d.kind = r.projection.kind;
+    d.segment = r.id.segment();
+    d.triangle = r.id.triangle();
+    d.side = r.projection.side;
+    d.b = r.projection.b;
+    d.c = r.projection.c;
     d.stage = stage_of(r.settled);
     return d;
 }
@@ -45,8 +45,8 @@ struct PointWeights {
 
 /// X = aA + bB + cC, nu = n / |n|, delta = lift |n|.
 inline ContactPoint contact_point(const Tool& tool, const Retained& r, const ToolMotion& pose) {
-    const ProjectionResult& l = r.landing;
-    const V3 x = landed_at(tool.segment(r.segment), r.piece, l.b, l.c);
+    const ProjectionResult& l = r.projection;
+    const V3 x = point_at(tool.segment(r.id.segment()), r.id.triangle(), l.b, l.c);
     const double length = norm(l.normal);
     ContactPoint point;
     point.distance = l.lift * length;
@@ -56,8 +56,8 @@ inline ContactPoint contact_point(const Tool& tool, const Retained& r, const Too
 }
 
 /// D12: the direction of h = P - X, with the sign of the normal interpolated at (b, c); zero where h is. As measured,
-/// it is formed with the corners brought to global axes, and with weights from the projection of section 3 step by step
-/// in space: near the surface the direction is the noise of exactly these operations.
+/// it is formed with the corners brought to global axes, and with weights from Formulation 3, steps 1 to 3, step by
+/// step in space: near the surface the direction is the noise of exactly these operations.
 /// @manual departure D12
 ContactPoint contact_point_as_built(const Tool& tool, const Retained& retained, const V3& y, const Vec3& position,
                                     const ToolMotion& pose);

@@ -42,7 +42,7 @@ ForceCycle::ForceCycle(const Laws& of, const Cycle& cycle) : laws(&of) {
     viss = card.viss;
     step = cycle.motion.step;
     per_step = step > 0 ? 1 / step : 0.0;
-    rubbing = cycle.filter * cycle.motion.friction_step;
+    filtered_step = cycle.filter * cycle.motion.friction_step;
     mu = card.fric;
     limited = card.itlim == 0;
     inacti6 = cycle.inacti == 6;

@@ -11,20 +11,20 @@ constexpr bool has(unsigned effects, unsigned one) {
 }
 
 template <class L>
-TYPE21_INLINE void only(const WholeLanes<L>& mask, L& v) {
-    v = (L)((WholeLanes<L>)v & mask);
+TYPE21_INLINE void only(const IntegerLanes<L>& mask, L& v) {
+    v = (L)((IntegerLanes<L>)v & mask);
 }
 
 /// All ones where v < 0.
 template <class L>
-TYPE21_INLINE void negative(const L& v, WholeLanes<L>& mask) {
-    mask = (WholeLanes<L>)v >> 63;
+TYPE21_INLINE void negative(const L& v, IntegerLanes<L>& mask) {
+    mask = (IntegerLanes<L>)v >> 63;
 }
 
 template <unsigned Effects, int W>
 TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& f, int j, TermBlock& block) {
     using L = Lanes<W>;
-    using I = WholeLanes<L>;
+    using I = IntegerLanes<L>;
     using V = VectorLanes<L>;
     L gap, k, offset, lift;
     I contact, first;
@@ -37,7 +37,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
     load(at.lift + i, lift);
     const L zero = (L)(contact ^ contact);
 
-    // Section 5.
+    // Formulation 5, steps 1 to 4.
     V n, x, nu, arm, point, y;
     load(at.n[0] + i, at.n[1] + i, at.n[2] + i, n);
     load(at.x[0] + i, at.x[1] + i, at.x[2] + i, x);
@@ -60,50 +60,50 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
     // The distance to the next double above: the next pattern of bits.
     const L ulp = (L)((I)largest + 1) - largest;
     const L depth = gap - distance;
-    L deep = depth > 16.0 * ulp ? depth : zero;
-    only(contact, deep);
-    I closed;
-    negative(zero - deep, closed);
+    L p_g = depth > 16.0 * ulp ? depth : zero;
+    only(contact, p_g);
+    I in_contact;
+    negative(zero - p_g, in_contact);
 
-    // Section 6.
-    choose(first, deep, offset);
-    L toward = deep;
+    // Formulation 6, steps 2 to 4.
+    choose(first, p_g, offset);
+    L toward = p_g;
     if (c.inacti6) {
-        magnitude_of(gap - deep, other);
-        toward = deep + 0.05 * other;
+        magnitude_of(gap - p_g, other);
+        toward = p_g + 0.05 * other;
     }
     L moved = 0.95 * offset + 0.05 * toward;
     least_of(offset, moved);
     offset = moved;
-    only(closed, offset);
-    L p = deep - offset;
+    only(in_contact, offset);
+    L p = p_g - offset;
     most_of(zero, p);
     I deeper;
     negative(zero - p, deeper);
     L acting = k;
     only(deeper | first, acting);
 
-    // Section 7.
+    // Formulation 7, steps 2 to 7.
     V v;
     load(f.velocity[0] + j, f.velocity[1] + j, f.velocity[2] + j, v);
     v.x -= c.speed[0] + (c.turning[1] * arm.z - c.turning[2] * arm.y);
     v.y -= c.speed[1] + (c.turning[2] * arm.x - c.turning[0] * arm.z);
     v.z -= c.speed[2] + (c.turning[0] * arm.y - c.turning[1] * arm.x);
-    L elastic = acting * p, energy = 0.5 * acting * p * p, most;
+    L elastic = acting * p, energy = 0.5 * acting * p * p, pmax_force;
     if constexpr (has(Effects, effect::pmax)) {
         L growth;
         load(f.growth + j, growth);
-        load(f.most + j, most);
+        load(f.pmax_force + j, pmax_force);
         I yields;
-        negative(most - acting * growth, yields);
-        L beyond = p - growth, held = acting * p;
+        negative(pmax_force - acting * growth, yields);
+        L beyond = p - growth, flat = acting * p;
         most_of(zero, beyond);
-        least_of(most, held);
-        const L force = acting * beyond + held;
+        least_of(pmax_force, flat);
+        const L force = acting * beyond + flat;
         const L straight = force / acting;
         L plateau = p - straight;
         most_of(zero, plateau);
-        choose(yields, plateau * most + 0.5 * straight * force, energy);
+        choose(yields, plateau * pmax_force + 0.5 * straight * force, energy);
         choose(yields, force, elastic);
     }
     L vn, damping = zero;
@@ -116,17 +116,17 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
     }
     const L normal_force = elastic - damping * vn;
     L step_stiffness = acting + damping * c.per_step;
-    only(closed, step_stiffness);
+    only(in_contact, step_stiffness);
 
-    // Section 8.
-    V rub{zero, zero, zero};
+    // Formulation 8, steps 1 to 10.
+    V friction{zero, zero, zero};
     if constexpr (has(Effects, effect::friction)) {
         V old;
         L increment, along, size, limit;
         load(f.friction[0] + j, f.friction[1] + j, f.friction[2] + j, old);
         load(f.increment + j, increment);
         only(deeper | first, increment);
-        increment *= c.rubbing;
+        increment *= c.filtered_step;
         V trial;
         trial.x = old.x + v.x * increment;
         trial.y = old.y + v.y * increment;
@@ -148,7 +148,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
             root_of(square, mu);
             store(mu, f.sliding + j);
             store(normal_force, f.normal_force + j);
-            store(closed, f.closed + j);
+            store(in_contact, f.in_contact + j);
             coefficients_in_rows(c, at, f, j, W);
             load(f.mu + j, mu);
             limit *= mu;
@@ -156,43 +156,43 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
             limit *= c.mu;
         }
         if constexpr (has(Effects, effect::pmax)) {
-            if (c.limited) least_of(most / std::sqrt(3.0), limit);
+            if (c.limited) least_of(pmax_force / std::sqrt(3.0), limit);
         }
         I slides;
         negative(limit - size, slides);
         L share = zero + 1.0;
         choose(slides, limit / size, share);
-        rub.x = trial.x * share;
-        rub.y = trial.y * share;
-        rub.z = trial.z * share;
-        only(closed, rub.x);
-        only(closed, rub.y);
-        only(closed, rub.z);
-        store(rub, f.friction[0] + j, f.friction[1] + j, f.friction[2] + j);
+        friction.x = trial.x * share;
+        friction.y = trial.y * share;
+        friction.z = trial.z * share;
+        only(in_contact, friction.x);
+        only(in_contact, friction.y);
+        only(in_contact, friction.z);
+        store(friction, f.friction[0] + j, f.friction[1] + j, f.friction[2] + j);
         store(slides, f.slides + j);
     }
     V normal, force;
     normal.x = nu.x * -normal_force;
     normal.y = nu.y * -normal_force;
     normal.z = nu.z * -normal_force;
-    only(closed, normal.x);
-    only(closed, normal.y);
-    only(closed, normal.z);
+    only(in_contact, normal.x);
+    only(in_contact, normal.y);
+    only(in_contact, normal.z);
     // On the node F_n nu - F_t; the sums are of forces on the tool.
-    const V total{normal.x + rub.x, normal.y + rub.y, normal.z + rub.z};
+    const V total{normal.x + friction.x, normal.y + friction.y, normal.z + friction.z};
     force.x = zero - total.x;
     force.y = zero - total.y;
     force.z = zero - total.z;
 
-    store(closed, f.closed + j);
+    store(in_contact, f.in_contact + j);
     store(offset, f.offset + j);
     store(force, f.force[0] + j, f.force[1] + j, f.force[2] + j);
     store(step_stiffness, f.step_stiffness + j);
-    if (f.told) {
+    if (f.full_report) {
         store(distance, f.distance + j);
         store(nu, f.normal[0] + j, f.normal[1] + j, f.normal[2] + j);
         store(point, f.point[0] + j, f.point[1] + j, f.point[2] + j);
-        store(deep, f.deep + j);
+        store(p_g, f.p_g + j);
         store(p, f.penetration + j);
         store(acting, f.acting + j);
         store(damping, f.damping + j);
@@ -204,7 +204,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
 
     // The terms of the sums.
     const auto put = [&](Term term, const L& value) __attribute__((always_inline)) {
-        store((L)((I)value & closed), block.row(term) + j);
+        store((L)((I)value & in_contact), block.row(term) + j);
     };
     const auto put_vector = [&](Term term, const V& value) __attribute__((always_inline)) {
         const int t = static_cast<int>(term);
@@ -235,10 +235,10 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
         magnitude_of(total.x, sizes.x);
         magnitude_of(total.y, sizes.y);
         magnitude_of(total.z, sizes.z);
-        put_vector(Term::tangential_x, rub);
+        put_vector(Term::tangential_x, friction);
         put_vector(Term::abs_total_x, sizes);
         put_vector(Term::force_x, total);
-        dot_of(v, rub, square);
+        dot_of(v, friction, square);
         put(Term::friction_work, square * c.step);
     }
 }
@@ -246,7 +246,7 @@ TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& 
 template <unsigned Effects, int W>
 TYPE21_INLINE void act_all(const ForceCycle& c, const Search::Batch& at, ForceRows& f, TermBlock& block) {
     // Narrow registers, too, go as far as the sums do: there the terms of an earlier block may stand.
-    const int columns = whole_registers(f.count);
+    const int columns = full_registers(f.count);
     for (int j = 0; j < columns; j += W)
         act<Effects, W>(c, at, f, j, block);
     block.resize(columns);
@@ -273,32 +273,33 @@ Forces forces_on(SimdWidth machine) {
 }  // namespace
 
 Forces forces_for(unsigned effects, SimdWidth machine) {
-    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax, law = effect::law;
-    switch (effects & (damping | rubbing | pmax | law)) {
+    constexpr unsigned damping = effect::damping, with_friction = effect::friction, pmax = effect::pmax,
+                       law = effect::law;
+    switch (effects & (damping | with_friction | pmax | law)) {
         case 0:
             return forces_on<0>(machine);
         case damping:
             return forces_on<damping>(machine);
-        case rubbing:
-            return forces_on<rubbing>(machine);
-        case damping | rubbing:
-            return forces_on<damping | rubbing>(machine);
+        case with_friction:
+            return forces_on<with_friction>(machine);
+        case damping | with_friction:
+            return forces_on<damping | with_friction>(machine);
         case pmax:
             return forces_on<pmax>(machine);
         case pmax | damping:
             return forces_on<pmax | damping>(machine);
-        case pmax | rubbing:
-            return forces_on<pmax | rubbing>(machine);
-        case law | rubbing:
-            return forces_on<law | rubbing>(machine);
-        case law | rubbing | damping:
-            return forces_on<law | rubbing | damping>(machine);
-        case law | rubbing | pmax:
-            return forces_on<law | rubbing | pmax>(machine);
-        case law | rubbing | pmax | damping:
-            return forces_on<law | rubbing | pmax | damping>(machine);
+        case pmax | with_friction:
+            return forces_on<pmax | with_friction>(machine);
+        case law | with_friction:
+            return forces_on<law | with_friction>(machine);
+        case law | with_friction | damping:
+            return forces_on<law | with_friction | damping>(machine);
+        case law | with_friction | pmax:
+            return forces_on<law | with_friction | pmax>(machine);
+        case law | with_friction | pmax | damping:
+            return forces_on<law | with_friction | pmax | damping>(machine);
         default:
-            return forces_on<damping | rubbing | pmax>(machine);
+            return forces_on<damping | with_friction | pmax>(machine);
     }
 }
 

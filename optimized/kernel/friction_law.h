@@ -1,4 +1,5 @@
-/// @file Friction (formulation section 8): the coefficient, the filter, the return of the trial force to its limit.
+/// @file Friction (Formulation 8, steps 1 to 10): the coefficient, the filter, the return of the trial force to its
+/// limit.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-/// @file Gaps that follow the thickness of the sheet, and nodes that leave with their shells (formulation sections 2,
-/// 9).
+/// @file Gaps that follow the thickness of the sheet, and nodes that leave with their shells (Formulation 2, step 5;
+/// Formulation 9, step 3).
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// @file Heat between blank and tool (formulation section 9).
+/// @file Heat between blank and tool (Formulation 9, steps 4 to 12).
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Friction coefficients that hang on pressure, speed or the pair of parts, for the columns of a register.
+// Friction coefficients that depend on pressure, speed or the pair of parts, for the columns of a register.
 #include "optimized/kernel/force_rows.h"
 
 namespace type21::optimized {
@@ -7,9 +7,9 @@ void coefficients_in_rows(const ForceCycle& c, const Search::Batch& at, ForceRow
     const Laws& laws = *c.laws;
     for (int j = column; j < column + count; ++j) {
         f.mu[j] = 0;
-        if (f.closed[j] == 0) continue;
+        if (f.in_contact[j] == 0) continue;
         f.mu[j] =
-            laws.friction_coefficient(f.rank + j, segment_of(at.place[f.at + j]), f.normal_force[j], f.sliding[j], 1.0);
+            laws.friction_coefficient(f.rank + j, at.id[f.at + j].segment(), f.normal_force[j], f.sliding[j], 1.0);
     }
 }
 

@@ -10,7 +10,7 @@ Laws::Laws(const Scene& scene, int interface)
       tool(*model, *card),
       friction_law(card->ifric, model->as_built),
       friction_table(*model, *card) {
-    const auto asked = [&](Effect e) { return scene.has(interface, e); };
+    const auto has_effect = [&](Effect e) { return scene.has(interface, e); };
     rules.proximity_competes = d11 = as_built(Departure::D11);
     rules.lift_leaning = as_built(Departure::D35);
     d05 = as_built(Departure::D05) && card->istf == 1 && card->igap != 2;
@@ -23,19 +23,20 @@ Laws::Laws(const Scene& scene, int interface)
         if (card->frad > 0 || d11) proximity = card->drad;
         if (card->function_distance >= 0) proximity = std::max(proximity, double(card->dcond));
     }
-    if (asked(Effect::heat)) heat.emplace(*model, *card);
-    if (asked(Effect::gap_growth)) growth.emplace(*model, *card);
-    if (asked(Effect::deletion)) deletion.emplace(*model, card->secondary.node, false);
-    if (asked(Effect::friction_heat_factor))
+    if (has_effect(Effect::heat)) heat.emplace(*model, *card);
+    if (has_effect(Effect::gap_growth)) growth.emplace(*model, *card);
+    if (has_effect(Effect::deletion)) deletion.emplace(*model, card->secondary.node, false);
+    if (has_effect(Effect::friction_heat_factor))
         friction_of_temperature = &model->functions[static_cast<size_t>(card->function_friction)];
     coulomb = card->ifric == 0 && card->friction_model < 0 && friction_of_temperature == nullptr;
-    skid = asked(Effect::skid_line);
-    release = asked(Effect::release_bcs);
-    normals_test = asked(Effect::normals_test);
-    effects_ = (asked(Effect::damping) ? effect::damping : 0) | (asked(Effect::friction) ? effect::friction : 0) |
-               (asked(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
+    skid = has_effect(Effect::skid_line);
+    release = has_effect(Effect::release_bcs);
+    normals_test = has_effect(Effect::normals_test);
+    effects_ = (has_effect(Effect::damping) ? effect::damping : 0) |
+               (has_effect(Effect::friction) ? effect::friction : 0) |
+               (has_effect(Effect::pmax_limit) ? effect::pmax : 0) | (heat ? effect::heat : 0);
     const bool by_temperature = friction_of_temperature != nullptr;
-    if (!coulomb && !by_temperature && asked(Effect::friction)) effects_ |= effect::law;
+    if (!coulomb && !by_temperature && has_effect(Effect::friction)) effects_ |= effect::law;
     if (skid || release || normals_test) effects_ |= effect::lists;
     if (by_temperature || deletion || d05 || d11 || d12 || d33) effects_ |= effect::rare | effect::any;
     const auto vector = [&](Term first) {
@@ -55,7 +56,7 @@ Laws::Laws(const Scene& scene, int interface)
         vector(Term::force_x);
         terms_.push_back(Term::friction_work);
     }
-    if (asked(Effect::tool_damping)) {
+    if (has_effect(Effect::tool_damping)) {
         terms_.push_back(Term::stiffness);
         terms_.push_back(Term::rotation);
     }

@@ -16,15 +16,15 @@
 
 namespace type21::optimized {
 
-/// What a kernel may be compiled for. `law` stands for friction laws other than Coulomb's and pairs of parts, `lists`
-/// for what is told of single nodes beside their forces (release, skid line, test of the normals), `rare` for
-/// everything else: departures of the contact geometry, friction by temperature, deletion.
+/// Effects that a kernel can be compiled for. `law`: friction laws other than Coulomb's, and pairs of parts. `lists`:
+/// what is reported of single nodes beside their forces (release, skid line, test of the normals). `rare`: everything
+/// else, that is departures of the contact geometry, friction by temperature, deletion.
 namespace effect {
 constexpr unsigned damping = 1, friction = 2, pmax = 4, heat = 8, rare = 16, any = 32, law = 64, lists = 128;
 }
 
-/// Constants and history of the secondary nodes; index: rank in SecondarySide::node. Rooms of effects that the scene
-/// does not ask for stay empty.
+/// Constants and history of the secondary nodes; index: rank in SecondarySide::node. Arrays of effects that the scene
+/// does not have stay empty.
 struct NodeData {
     std::vector<int> node;                   ///< index into Model::nodes
     std::vector<double> gap;                 ///< g [length]
@@ -55,7 +55,7 @@ struct Laws {
     bool has(unsigned one) const { return (effects_ & one) != 0; }
     /// mu of a node on a segment, of the law of the card or of the pair of parts. @param factor  f_IDF [-]
     double friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const;
-    /// The sums that lanes_kernel fills; without friction the others are copies of these or zero.
+    /// The sums that lanes_kernel fills; without friction the others are copies of these, or zero.
     std::span<const Term> terms() const { return terms_; }
 
     std::shared_ptr<const ContactModel> model;
@@ -73,7 +73,7 @@ struct Laws {
     std::optional<NodeShells> deletion;
     bool coulomb = true;  ///< mu is the Fric of the card for every node
     bool skid = false, release = false, normals_test = false;
-    // Departures that the kernel asks for.
+    // Departures that the kernel has to know.
     bool d05 = false, d08 = false, d11 = false, d12 = false, d16 = false, d33 = false;
 
   private:
@@ -106,14 +106,14 @@ struct ChunkLists {
 
 struct ForceRows;
 
-/// Where a kernel writes, by rank of node. Without `node` only forces and stiffness are asked for.
+/// Where a kernel writes, by rank of node. Without `node`, only forces and stiffness are written.
 struct Output {
     NodeContact* node = nullptr;
     Vec3* force = nullptr;             ///< [force]
     double* step_stiffness = nullptr;  ///< [force/length]
 };
 
-/// What one thread works with; nothing in it outlives a cycle but its memory.
+/// Working storage of one thread; only its allocated memory outlives a cycle.
 struct Workspace {
     Workspace();
     Workspace(Workspace&&) noexcept;
@@ -131,10 +131,10 @@ struct Workspace {
 using Kernel = void (*)(const Laws&, const Cycle&, NodeData&, int first, int last, const Output&, ChunkLists&,
                         Workspace&);
 
-/// The kernel for one node after the other with the effects of the scene and no others, where there is one; else the
-/// one that asks at run time.
+/// The kernel that works node by node. With the effects of the scene only, where it is compiled; otherwise the general
+/// one, which tests effects at run time.
 Kernel kernel_for(unsigned effects);
-/// That for many nodes at once, for t > 0, no effects but damping, friction of any law, pmax and lists, and no
+/// The kernel for many nodes at once, for t > 0, no effects but damping, friction of any law, pmax and lists, and no
 /// proximity.
 void lanes_kernel(const Laws&, const Cycle&, NodeData&, int first, int last, const Output&, ChunkLists&, Workspace&);
 inline bool in_lanes(unsigned effects) {

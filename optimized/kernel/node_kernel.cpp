@@ -1,4 +1,4 @@
-// One node in one cycle, in the order of the formulation. Effects are template arguments: what is absent leaves no
+// One node in one cycle, in the order of the formulation. Effects are template arguments, so an absent one leaves no
 // branch.
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace type21::optimized {
 
 namespace {
 
-/// Is an effect on? A constant but in the kernel for any scene.
+/// Is an effect on? A constant, except in the kernel for any scene.
 template <unsigned Effects>
 bool on(const Laws& laws, unsigned one) {
     if constexpr ((Effects & effect::any) != 0) return laws.has(one);
@@ -34,7 +34,7 @@ double tool_temperature(const Laws& laws, const Decision& d, const Motion& motio
                            .node;
     const auto at = [&](int j) { return motion.temperature[static_cast<size_t>(node[static_cast<size_t>(j)])]; };
     const bool triangle = laws.tool.is_triangle(d.segment);
-    const PieceCorners corner = piece_corners(triangle, d.triangle);
+    const SubTriangleCorners corner = sub_triangle_corners(triangle, d.triangle);
     const double of_a = triangle ? at(2) : 0.25 * (at(0) + at(1) + at(2) + at(3));
     return (1 - d.b - d.c) * of_a + d.b * at(corner.b) + d.c * at(corner.c);
 }
@@ -46,7 +46,7 @@ void heat_tool(const Laws& laws, const Decision& d, double heat, ChunkLists& lis
                            .node;
     const double a = 1 - d.b - d.c;
     const bool triangle = laws.tool.is_triangle(d.segment);
-    const PieceCorners corner = piece_corners(triangle, d.triangle);
+    const SubTriangleCorners corner = sub_triangle_corners(triangle, d.triangle);
     if (triangle) {
         lists.tool_heat.push_back({node[2], a * heat});
     } else {
@@ -106,86 +106,86 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
     }
 }
 
-/// Why a node is not asked for this cycle, or that it is.
-enum class Ask { yes, untouched, gone };
+/// Is contact searched for this node in this cycle? `inert`: it has neither stiffness nor heat.
+enum class Activity { active, inert, deleted };
 
 template <unsigned Effects>
-Ask ask(const Laws& laws, const Cycle& cycle, const NodeData& nodes, size_t i) {
-    if (nodes.stiffness[i] == 0 && !on<Effects>(laws, effect::heat)) return Ask::untouched;
+Activity activity_of(const Laws& laws, const Cycle& cycle, const NodeData& nodes, size_t i) {
+    if (nodes.stiffness[i] == 0 && !on<Effects>(laws, effect::heat)) return Activity::inert;
     const auto thickness = cycle.motion.thickness;
-    if (!on<Effects>(laws, effect::rare) || !laws.deletion || thickness.empty()) return Ask::yes;
+    if (!on<Effects>(laws, effect::rare) || !laws.deletion || thickness.empty()) return Activity::active;
     const auto shells = laws.deletion->at(static_cast<int>(i));
     const bool gone = !shells.empty() && std::all_of(shells.begin(), shells.end(),
                                                      [&](int s) { return thickness[static_cast<size_t>(s)] <= 0; });
-    return gone ? Ask::gone : Ask::yes;
+    return gone ? Activity::deleted : Activity::active;
 }
 
 /// @return false where nothing is to be summed
 template <unsigned Effects>
-bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, const V3& y, Ask asked,
+bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, const V3& y, Activity activity,
                const Retained& retained, NodeContact& out, ChunkLists& lists) {
     const Interface& card = *laws.card;
     const Motion& motion = cycle.motion;
     const ToolMotion& pose = cycle.pose;
     const bool heated = on<Effects>(laws, effect::heat);
-    const bool rare = on<Effects>(laws, effect::rare), told = on<Effects>(laws, effect::lists);
+    const bool rare = on<Effects>(laws, effect::rare), reports = on<Effects>(laws, effect::lists);
     const double gap = nodes.gap[i];
     out.gap = gap;
-    if (told && laws.skid) out.skid = nodes.skid[i];
-    if (asked == Ask::untouched) return false;
+    if (reports && laws.skid) out.skid = nodes.skid[i];
+    if (activity == Activity::inert) return false;
     const int model_node = nodes.node[i];
-    if (retained.segment < 0) {
+    if (!retained.exists()) {
         if (!cycle.time_zero) forget(laws, nodes, i);
         return false;
     }
     out.decision = decision_of(retained);
 
-    // Section 5.
+    // Formulation 5, steps 1 to 4.
     const Vec3& position = motion.position[static_cast<size_t>(model_node)];
     const ContactPoint point = rare && laws.d12 ? contact_point_as_built(laws.tool, retained, y, position, pose)
                                                 : contact_point(laws.tool, retained, pose);
     out.distance = point.distance;
     out.normal = to_vec3(point.normal);
     out.point = to_vec3(point.point);
-    const bool in_contact = out.decision.kind == Kind::contact;
+    const bool is_contact = out.decision.kind == Kind::contact;
     // D11: a proximity node nearer than its gap has force, without a count and without an offset.
-    const bool has_force = nodes.stiffness[i] != 0 && (in_contact || (rare && laws.d11));
-    const double deep = has_force ? penetration_beyond_rounding(gap, point.distance, largest(y)) : 0.0;
-    out.geometric_penetration = deep;
-    if (!in_contact && nodes.cycles[i] > 0) forget(laws, nodes, i);
-    if (deep == 0) {
+    const bool has_force = nodes.stiffness[i] != 0 && (is_contact || (rare && laws.d11));
+    const double p_g = has_force ? penetration_beyond_rounding(gap, point.distance, largest(y)) : 0.0;
+    out.geometric_penetration = p_g;
+    if (!is_contact && nodes.cycles[i] > 0) forget(laws, nodes, i);
+    if (p_g == 0) {
         // D33: at time 0 being retained counts as a cycle.
-        if (rare && laws.d33 && cycle.time_zero && has_force && in_contact) nodes.cycles[i] = 1;
+        if (rare && laws.d33 && cycle.time_zero && has_force && is_contact) nodes.cycles[i] = 1;
         if (!cycle.time_zero || nodes.cycles[i] == 0) {
             if (!cycle.time_zero) forget(laws, nodes, i);
             if (!heated) return false;
             exchange_heat(laws, cycle, i, model_node, out, lists);
             return true;
         }
-    } else if (in_contact) {
+    } else if (is_contact) {
         ++nodes.cycles[i];
     }
 
-    // Section 6.
+    // Formulation 6, steps 2 to 4.
     const bool first = nodes.cycles[i] == 1;
-    double offset = first && !cycle.time_zero ? deep : nodes.offset[i];
-    if (told && laws.normals_test && first && deep > gap + 0.99 * card.depth)
-        lists.inverted.push_back({model_node, out.decision.segment, deep});
-    offset = offset_after(offset, cycle.inacti == 6, deep, gap);
+    double offset = first && !cycle.time_zero ? p_g : nodes.offset[i];
+    if (reports && laws.normals_test && first && p_g > gap + 0.99 * card.depth)
+        lists.inverted.push_back({model_node, out.decision.segment, p_g});
+    offset = offset_after(offset, cycle.inacti == 6, p_g, gap);
     nodes.offset[i] = offset;
     out.offset = offset;
-    const double p = std::max(deep - offset, 0.0);
+    const double p = std::max(p_g - offset, 0.0);
     out.penetration = p;
     const bool forgiven = cycle.time_zero && (cycle.inacti == 5 || cycle.inacti == 6);
     const bool acts = p > 0 || (first && !forgiven);
     const double k = acts ? nodes.stiffness[i] : 0.0;
     out.stiffness = k;
-    if (told && laws.release && p > 0 && nodes.released[i] == 0) {
+    if (reports && laws.release && p > 0 && nodes.released[i] == 0) {
         nodes.released[i] = 1;
         lists.released.push_back(model_node);
     }
 
-    // Section 7.
+    // Formulation 7, steps 2 to 7.
     const V3 nu = point.normal;
     const V3 arm = point.point - from(pose.position);
     const V3 velocity = from(motion.velocity[static_cast<size_t>(model_node)]) -
@@ -203,7 +203,7 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     out.normal_force = spring.force - out.damping * dot(velocity, nu);
     out.step_stiffness = motion.step > 0 ? k + out.damping / motion.step : k;
 
-    // Section 8 and the rest of 9.
+    // Formulation 8, steps 1 to 12, and heat.
     if (acts) out.status = Status::slip;
     if (on<Effects>(laws, effect::friction)) friction<Effects>(laws, cycle, nodes, i, acts, out);
     out.force = out.normal_force * out.normal - out.friction;
@@ -222,17 +222,18 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
     Search::Batch& batch = *work.batch;
     batch.depth = laws.card->depth;
     batch.proximity = laws.proximity;
-    batch.ahead = nullptr;  // an exception may have left one
-    for (int start = first; start < last; start += Search::Batch::room) {
-        // Where nodes are and what they touch (sections 1, 3, 4). The transform is written as the formulation has it:
-        // its rounding is part of the position that decisions are exact for.
-        batch.count = std::min(Search::Batch::room, last - start);
+    batch.prefetcher = nullptr;  // an exception in a cycle before may have left one
+    for (int start = first; start < last; start += Search::Batch::capacity) {
+        // Positions and retained impacts (Formulation 1, step 1; Formulation 3, steps 1 to 6; Formulation 4, steps 1 to
+        // 5). The transform is written as in the formulation, since its rounding is part of the position that decisions
+        // are exact for.
+        batch.count = std::min(Search::Batch::capacity, last - start);
         batch.memory = nodes.memory.data() + start;
-        Ask why[Search::Batch::room];
+        Activity activity[Search::Batch::capacity];
         for (int j = 0; j < batch.count; ++j) {
             const auto i = static_cast<size_t>(start + j);
-            why[j] = ask<Effects>(laws, cycle, nodes, i);
-            batch.asked[j] = why[j] == Ask::yes;
+            activity[j] = activity_of<Effects>(laws, cycle, nodes, i);
+            batch.active[j] = activity[j] == Activity::active;
             const Vec3& position = motion.position[static_cast<size_t>(nodes.node[i])];
             const Vec3 at = cycle.pose.rotation.transpose() * (position - cycle.pose.position);
             for (int a = 0; a < 3; ++a)
@@ -241,18 +242,18 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
         }
         laws.search->find(batch, laws.rules);
         work.tally.add(batch.tally);
-        // All that a blank NodeContact holds is zero but for its Decision; one call for many is cheaper than many.
+        // A blank NodeContact is zero except for its Decision. One call for many nodes is cheaper than many calls.
         std::memset(static_cast<void*>(out + (start - first)), 0,
                     static_cast<size_t>(batch.count) * sizeof(NodeContact));
         for (int j = 0; j < batch.count; ++j) {
             const V3 y{batch.y[0][j], batch.y[1][j], batch.y[2][j]};
             NodeContact& node = out[start + j - first];
             node.decision = Decision{};
-            if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y, why[j], batch.retained(j),
-                                    node, lists))
+            if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y, activity[j],
+                                    batch.retained(j), node, lists))
                 continue;
             add_terms(node, motion.step, cycle.pose.position, heated, work.terms);
-            if (work.terms.size() < TermBlock::room) continue;
+            if (work.terms.size() < TermBlock::capacity) continue;
             work.sums.add(work.terms, terms);
             work.terms.clear();
         }
@@ -274,20 +275,21 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
 }  // namespace
 
 Kernel kernel_for(unsigned effects) {
-    constexpr unsigned damping = effect::damping, rubbing = effect::friction, pmax = effect::pmax, heat = effect::heat;
+    constexpr unsigned damping = effect::damping, with_friction = effect::friction, pmax = effect::pmax,
+                       heat = effect::heat;
     switch (effects) {
         case 0:
             return kernel<0>;
         case damping:
             return kernel<damping>;
-        case rubbing:
-            return kernel<rubbing>;
-        case damping | rubbing:
-            return kernel<damping | rubbing>;
-        case damping | rubbing | pmax:
-            return kernel<damping | rubbing | pmax>;
-        case damping | rubbing | heat:
-            return kernel<damping | rubbing | heat>;
+        case with_friction:
+            return kernel<with_friction>;
+        case damping | with_friction:
+            return kernel<damping | with_friction>;
+        case damping | with_friction | pmax:
+            return kernel<damping | with_friction | pmax>;
+        case damping | with_friction | heat:
+            return kernel<damping | with_friction | heat>;
         default:
             return kernel<effect::any>;
     }

@@ -6,7 +6,7 @@
 namespace type21::optimized {
 
 /// Fills the next column of the block.
-/// @param step    dt1 [time]   @param center  x_G [length]   @param heat  are the rows of heat asked for?
+/// @param step    dt1 [time]   @param center  x_G [length]   @param heat  fill the rows of heat?
 void add_terms(const NodeContact& node, double step, const Vec3& center, bool heat, TermBlock& block);
 
 }  // namespace type21::optimized

@@ -1,4 +1,4 @@
-/// @file Offset, normal force and its energy (formulation sections 6 and 7).
+/// @file Offset, normal force and its energy (Formulation 6, steps 1 to 4; Formulation 7, steps 2 to 4).
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace type21::optimized {
 
-/// Touches within 16 units in the last place of the node's largest coordinate are no impact (section 5).
-/// ulp(v) is the distance to the next double above.
+/// p_g = g - delta; 0 where it is within 16 units in the last place of the node's largest coordinate, which is no
+/// impact (Formulation 5, step 4). The unit is the distance to the next double above.
 inline double penetration_beyond_rounding(double gap, double distance, double largest_coordinate) {
     const double up = std::nextafter(largest_coordinate, HUGE_VAL) - largest_coordinate;
-    const double deep = gap - distance;
-    return deep > 16 * up ? deep : 0.0;
+    const double p_g = gap - distance;
+    return p_g > 16 * up ? p_g : 0.0;
 }
 
 /// P0 that time 0 leaves behind for a penetration p > 0: Inacti 5 all of it, 6 a little more, else nothing.
@@ -50,14 +50,14 @@ inline Spring linear_spring(double k, double p) {
 /// Igap 2 and Pmax, equation (5): once k times the growth of the gap exceeds P_A, the spring yields at P_A until the
 /// penetration has used up the growth, then stiffens again with slope k. Its energy is that of a spring of the same
 /// force, and the plateau's for the rest of the way.
-/// @param growth  max(g - g0, 0) [length]   @param most  P_A = A Pmax [force]
+/// @param growth  max(g - g0, 0) [length]   @param pmax_force  P_A = A Pmax [force]
 /// @manual eq 5; field Pmax; comment 5
-inline Spring yielding_spring(double k, double p, double growth, double most) {
-    if (!(k * growth > most)) return linear_spring(k, p);
+inline Spring yielding_spring(double k, double p, double growth, double pmax_force) {
+    if (!(k * growth > pmax_force)) return linear_spring(k, p);
     Spring spring;
-    spring.force = k * std::max(p - growth, 0.0) + std::min(most, k * p);
+    spring.force = k * std::max(p - growth, 0.0) + std::min(pmax_force, k * p);
     const double elastic = spring.force / k;
-    spring.energy = std::max(p - elastic, 0.0) * most + 0.5 * elastic * spring.force;
+    spring.energy = std::max(p - elastic, 0.0) * pmax_force + 0.5 * elastic * spring.force;
     return spring;
 }
 

@@ -11,15 +11,11 @@ bool Decider::beats(const Contender& one, const Contender& other) const {
     return one.high < other.low;
 }
 
-void Decider::add(int rank, int piece, const FilterResult& result) {
-    if (result.verdict == Verdict::rejected || result.verdict == Verdict::beyond) return;
-    const ProjectionResult& landing = result.landing;
-    const Contender one{rank,
-                        piece,
-                        landing.kind,
-                        result.verdict == Verdict::unsure,
-                        landing.kappa - landing.kappa_bound,
-                        landing.kappa + landing.kappa_bound};
+void Decider::add(SubTriangleId id, const FilterResult& result) {
+    if (result.verdict == Verdict::rejected || result.verdict == Verdict::too_far) return;
+    const ProjectionResult& projection = result.projection;
+    const Contender one{id, projection.kind, result.verdict == Verdict::unsure,
+                        projection.kappa - projection.kappa_bound, projection.kappa + projection.kappa_bound};
     bool beaten = false;
     each([&](const Contender& other) { beaten = beaten || beats(other, one); });
     if (beaten) return;
@@ -28,25 +24,24 @@ void Decider::add(int rank, int piece, const FilterResult& result) {
         if (!beats(one, list_[i])) list_[kept++] = list_[i];
     count_ = kept;
     std::erase_if(more_, [&](const Contender& other) { return beats(one, other); });
-    if (count_ == 0 || place(rank, piece) < best_place_) {
-        best_ = landing;
-        best_place_ = place(rank, piece);
+    if (count_ == 0 || id < best_id_) {
+        best_ = projection;
+        best_id_ = id;
     }
-    if (count_ < room) {
+    if (count_ < capacity) {
         list_[count_++] = one;
     } else {
         more_.push_back(one);
     }
 }
 
-void Decider::lead(int rank, const SegmentData& segment, int piece) {
-    if (leader_.known && !leader_.corner.of(rank, segment, piece)) return;
-    Leader next{true, leader_.known, rank, piece, leader_.corner};
-    if (!leader_.known && !corner_below(p_, rank, segment, piece, next.corner)) return;
-    if (leader_.known) {
-        const auto before = [&](const Contender& one) {
-            return one.segment == leader_.segment && one.piece == leader_.piece;
-        };
+void Decider::lead(SubTriangleId id, const SegmentData& segment) {
+    const bool replaces = leader_.id.exists();
+    if (replaces && !leader_.corner.of(id, segment)) return;
+    Leader next{id, replaces, leader_.corner};
+    if (!replaces && !corner_below(p_, id, segment, next.corner)) return;
+    if (replaces) {
+        const auto before = [&](const Contender& one) { return one.id == leader_.id; };
         size_t kept = 0;
         for (size_t i = 0; i < count_; ++i)
             if (!before(list_[i])) list_[kept++] = list_[i];
@@ -58,28 +53,26 @@ void Decider::lead(int rank, const SegmentData& segment, int piece) {
 
 namespace {
 
-constexpr size_t nobody = std::numeric_limits<size_t>::max();
+constexpr size_t none_takes_it = std::numeric_limits<size_t>::max();
 
-bool lower(const Contender& one, const Contender& other) {
-    return one.segment != other.segment ? one.segment < other.segment : one.piece < other.piece;
-}
-
-/// The place of the retained one in 100 bits, nobody where none takes the node, or nothing where these cannot tell.
-std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> contenders,
-                                    std::span<const SegmentData> segments, const ContactReach& window,
-                                    const ProjectionLimits& rules) {
-    size_t first = nobody;
+/// Index of the retained one in double-double; `none_takes_it` where none takes the node; nothing where double-double
+/// cannot tell.
+std::optional<size_t> first_in_double_double(const V3& p, std::span<const Contender> contenders,
+                                             std::span<const SegmentData> segments, const ContactReach& reach,
+                                             const ProjectionLimits& rules) {
+    size_t first = none_takes_it;
     Kind kind = Kind::none;
-    FineKappa kappa;
+    KappaDoubleDouble kappa;
     for (size_t i = 0; i < contenders.size(); ++i) {
-        FineKappa own;
-        const FilterResult result = fine_filter(p, segments[i], contenders[i].piece, window, rules, own);
-        if (result.verdict == Verdict::rejected || result.verdict == Verdict::beyond) continue;
+        KappaDoubleDouble own;
+        const FilterResult result =
+            filter_double_double(p, segments[i], contenders[i].id.triangle(), reach, rules, own);
+        if (result.verdict == Verdict::rejected || result.verdict == Verdict::too_far) continue;
         if (result.verdict == Verdict::unsure) return std::nullopt;
-        bool better = first == nobody;
-        if (first != nobody && kind != result.landing.kind && !rules.proximity_competes) {
-            better = result.landing.kind == Kind::contact;
-        } else if (first != nobody) {
+        bool better = first == none_takes_it;
+        if (first != none_takes_it && kind != result.projection.kind && !rules.proximity_competes) {
+            better = result.projection.kind == Kind::contact;
+        } else if (first != none_takes_it) {
             // The difference rounds once more, relative to itself.
             const double apart = leading(own.value - kappa.value);
             if (!(std::abs(apart) > 1.01 * (own.bound + kappa.bound))) return std::nullopt;
@@ -87,25 +80,25 @@ std::optional<size_t> first_in_fine(const V3& p, std::span<const Contender> cont
         }
         if (!better) continue;
         first = i;
-        kind = result.landing.kind;
+        kind = result.projection.kind;
         kappa = own;
     }
     return first;
 }
 
-size_t first_in_whole(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-                      const ContactReach& window, const ProjectionLimits& rules) {
-    size_t first = nobody;
-    ExactLanding least;
+size_t first_in_integers(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
+                         const ContactReach& reach, const ProjectionLimits& rules) {
+    size_t first = none_takes_it;
+    ExactProjection least;
     for (size_t i = 0; i < contenders.size(); ++i) {
-        ExactLanding one = exact_landing(p, segments[i], contenders[i].piece, window, rules);
+        ExactProjection one = project_exact(p, segments[i], contenders[i].id.triangle(), reach, rules);
         if (!one.taken) continue;
-        bool better = first == nobody;
-        if (!better && one.landing.kind != least.landing.kind && !rules.proximity_competes) {
-            better = one.landing.kind == Kind::contact;
+        bool better = first == none_takes_it;
+        if (!better && one.projection.kind != least.projection.kind && !rules.proximity_competes) {
+            better = one.projection.kind == Kind::contact;
         } else if (!better) {
             const int order = compare_kappa(one, least);
-            better = order < 0 || (order == 0 && lower(contenders[i], contenders[first]));
+            better = order < 0 || (order == 0 && contenders[i].id < contenders[first].id);
         }
         if (!better) continue;
         first = i;
@@ -114,17 +107,17 @@ size_t first_in_whole(const V3& p, std::span<const Contender> contenders, std::s
     return first;
 }
 
-/// Magnitudes are a function of node and sub-triangle alone, whoever the other contenders were and whatever settled the
-/// decision: those of the first stage that can tell all of it.
-ProjectionResult magnitudes(const V3& p, const SegmentData& segment, int piece, const ContactReach& window,
+/// The magnitudes of the first stage that can tell all of them. So they depend on node and sub-triangle only, and not
+/// on the other contenders or on what settled the decision.
+ProjectionResult magnitudes(const V3& p, const SegmentData& segment, int triangle, const ContactReach& reach,
                             const ProjectionLimits& rules) {
-    const auto good = [](const FilterResult& r) { return r.verdict == Verdict::taken && r.landing.side != 0; };
-    const FilterResult fast = filter(p, segment, local_segment(segment), piece, window, rules);
-    if (good(fast)) return fast.landing;
-    FineKappa kappa;
-    const FilterResult fine = fine_filter(p, segment, piece, window, rules, kappa);
-    if (good(fine)) return fine.landing;
-    return exact_landing(p, segment, piece, window, rules).landing;
+    const auto good = [](const FilterResult& r) { return r.verdict == Verdict::taken && r.projection.side != 0; };
+    const FilterResult fast = filter(p, segment, local_segment(segment), triangle, reach, rules);
+    if (good(fast)) return fast.projection;
+    KappaDoubleDouble kappa;
+    const FilterResult precise = filter_double_double(p, segment, triangle, reach, rules, kappa);
+    if (good(precise)) return precise.projection;
+    return project_exact(p, segment, triangle, reach, rules).projection;
 }
 
 }  // namespace
@@ -133,24 +126,23 @@ Retained Decider::settle(std::span<const Contender> contenders, std::span<const 
     Settled settled = Settled::filter;
     size_t first = 0;
     if (contenders.size() == 1 && !contenders[0].unsure) {
-        settled = Settled::fine;  // only its side is open
-    } else if (contenders.size() > 1 && tied(p_, contenders, segments, window_, rules_)) {
+        settled = Settled::double_double;  // only its side is unknown
+    } else if (contenders.size() > 1 && tied(p_, contenders, segments, reach_, rules_)) {
         settled = Settled::tie;
         for (size_t i = 1; i < contenders.size(); ++i)
-            if (lower(contenders[i], contenders[first])) first = i;
-    } else if (const auto fine = first_in_fine(p_, contenders, segments, window_, rules_)) {
-        settled = Settled::fine;
-        first = *fine;
+            if (contenders[i].id < contenders[first].id) first = i;
+    } else if (const auto found = first_in_double_double(p_, contenders, segments, reach_, rules_)) {
+        settled = Settled::double_double;
+        first = *found;
     } else {
-        settled = Settled::whole;
-        first = first_in_whole(p_, contenders, segments, window_, rules_);
+        settled = Settled::integer;
+        first = first_in_integers(p_, contenders, segments, reach_, rules_);
     }
-    if (first == nobody) return {};
-    if (settled == Settled::tie && best_.side != 0 &&
-        place(contenders[first].segment, contenders[first].piece) == best_place_)
-        return {contenders[first].segment, contenders[first].piece, best_, settled};
-    return {contenders[first].segment, contenders[first].piece,
-            magnitudes(p_, segments[first], contenders[first].piece, window_, rules_), settled};
+    if (first == none_takes_it) return {};
+    if (settled == Settled::tie && best_.side != 0 && contenders[first].id == best_id_)
+        return {best_id_, best_, settled};
+    const SubTriangleId id = contenders[first].id;
+    return {id, magnitudes(p_, segments[first], id.triangle(), reach_, rules_), settled};
 }
 
 }  // namespace type21::optimized

@@ -1,85 +1,85 @@
-/// @file The single retained impact of a node among segments (formulation section 4), exact always.
+/// @file The retained impact of a node among segments (Formulation 4, steps 1 to 5), always exact.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "optimized/projection/exact.h"
 #include "optimized/projection/filter.h"
+#include "optimized/projection/sub_triangle_id.h"
 #include "optimized/projection/tie.h"
 
 namespace type21::optimized {
 
-/// What settled a decision.
+/// The arithmetic that settled a decision.
 enum class Settled {
-    filter,  ///< double with error bounds
-    tie,     ///< the proof of a tie
-    fine,    ///< 100 bits with error bounds
-    whole    ///< whole numbers
+    filter,         ///< double with error bounds
+    tie,            ///< the proof of a tie
+    double_double,  ///< 100 bits with error bounds
+    integer         ///< integers
 };
 
-/// The stage that a report names. 100 bits with a bound are what intervals of doubles are elsewhere.
+/// The stage that a report names. Other implementations have intervals of doubles where this one has double-double.
 inline Stage stage_of(Settled settled) {
-    if (settled == Settled::whole) return Stage::exact;
-    return settled == Settled::fine ? Stage::interval : Stage::bounded;
+    if (settled == Settled::integer) return Stage::exact;
+    return settled == Settled::double_double ? Stage::interval : Stage::bounded;
 }
 
 /// The retained impact with its magnitudes.
 struct Retained {
-    int segment = -1;  ///< -1: nothing takes the node
-    int piece = 0;     ///< sub-triangle k
-    ProjectionResult landing;
+    SubTriangleId id = SubTriangleId::none();  ///< none: nothing takes the node
+    ProjectionResult projection;
     Settled settled = Settled::filter;
+
+    bool exists() const { return id.exists(); }
 };
 
-/// Collects what may take one node, in any order, and names the one retained. Contenders that are proven to lose are
-/// dropped on the way, so that what is left at the end are the retained one and those that only whole numbers can tell
-/// from it.
+/// Collects the sub-triangles that may take one node, in any order, and names the retained one. A contender that is
+/// proven to lose is dropped at once. At the end the retained one is left, with those that the filter cannot tell from
+/// it.
 class Decider {
   public:
-    Decider(const V3& p, const ContactReach& window, const ProjectionLimits& rules)
-        : p_(p), window_(window), rules_(rules) {}
+    Decider(const V3& p, const ContactReach& reach, const ProjectionLimits& rules)
+        : p_(p), reach_(reach), rules_(rules) {}
 
     /// Lets every sub-triangle of a segment compete.
     void add(int rank, const SegmentData& segment) {
         const LocalSegment local = local_segment(segment);
-        for (int k = 1; k <= segment.pieces(); ++k) {
-            if (leader_.known && follows(rank, segment, k)) continue;
-            const FilterResult result = filter(p_, segment, local, k, window_, rules_);
-            if (result.verdict == Verdict::taken && result.landing.kind == Kind::contact && alone_on_corner(result) &&
-                !rules_.lift_leaning)
-                lead(rank, segment, k);
-            add(rank, k, result);
+        for (int k = 1; k <= segment.sub_triangles(); ++k) {
+            const SubTriangleId id(rank, k);
+            if (leader_.id.exists() && follows(id, segment, local)) continue;
+            const FilterResult result = filter(p_, segment, local, k, reach_, rules_);
+            if (result.verdict == Verdict::taken && result.projection.kind == Kind::contact &&
+                may_be_above_corner(result) && !rules_.lift_leaning)
+                lead(id, segment);
+            add(id, result);
         }
     }
-    void add(int rank, int piece, const FilterResult& result);
+    void add(SubTriangleId id, const FilterResult& result);
 
-    /// @param segment_of  rank -> SegmentData
-    template <class SegmentOf>
-    Retained retained(const SegmentOf& segment_of) const {
+    /// @param segment_data  rank -> SegmentData
+    template <class SegmentDataOf>
+    Retained retained(const SegmentDataOf& segment_data) const {
         if (count_ == 0 && more_.empty()) return {};
-        if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0 &&
-            place(list_[0].segment, list_[0].piece) == best_place_) {
-            return {list_[0].segment, list_[0].piece, best_, leader_.followed ? Settled::tie : Settled::filter};
-        }
+        if (count_ == 1 && more_.empty() && !list_[0].unsure && best_.side != 0 && list_[0].id == best_id_)
+            return {best_id_, best_, leader_.followed ? Settled::tie : Settled::filter};
         if (more_.empty()) {
-            std::array<SegmentData, room> segments;
+            std::array<SegmentData, capacity> segments;
             for (size_t i = 0; i < count_; ++i)
-                segments[i] = segment_of(list_[i].segment);
+                segments[i] = segment_data(list_[i].id.segment());
             return settle({list_.data(), count_}, {segments.data(), count_});
         }
         std::vector<Contender> contenders;
         std::vector<SegmentData> segments;
         each([&](const Contender& one) {
             contenders.push_back(one);
-            segments.push_back(segment_of(one.segment));
+            segments.push_back(segment_data(one.id.segment()));
         });
         return settle(contenders, segments);
     }
 
   private:
-    static constexpr size_t room = 16;
+    static constexpr size_t capacity = 16;
 
     template <class F>
     void each(const F& f) const {
@@ -88,42 +88,46 @@ class Decider {
         for (const Contender& one : more_)
             f(one);
     }
-    /// The lowest so far of those that take the node as contact from exactly above one corner. All that have this
-    /// corner are tied with it (tie.h) or do not take the node, so that those with a higher number need not be asked.
-    /// Not with D35, where one that leans takes the node elsewhere.
+    /// The lowest so far of the sub-triangles that take the node in contact from exactly above one corner V.
+    ///
+    /// Another sub-triangle T' with this corner and <n_V, N'> != 0 is tied with it or does not take the node (tie.h),
+    /// so one with a higher number need not be projected. The condition on the slope is needed: where <n_V, N'> = 0 the
+    /// node lies in the plane of T', nothing is lifted, and kappa of T' can be any number. Not used with D35, which
+    /// lifts leaning normals.
     struct Leader {
-        bool known = false, followed = false;
-        int segment = -1, piece = 0;
+        SubTriangleId id = SubTriangleId::none();
+        bool followed = false;
         TieCorner corner;
     };
-    static std::int64_t place(int segment, int piece) { return std::int64_t{segment} * 4 + piece; }
-    static bool alone_on_corner(const FilterResult& result) {
-        return std::abs(result.landing.kappa - kappa_on_corner) <= result.landing.kappa_bound + 1e-15;
+    static bool may_be_above_corner(const FilterResult& result) {
+        return std::abs(result.projection.kappa - kappa_above_corner) <= result.projection.kappa_bound + 1e-15;
     }
-    /// Has it the leader's corner, and a higher number?
-    bool follows(int rank, const SegmentData& segment, int piece) {
-        const bool lower = rank < leader_.segment || (rank == leader_.segment && piece < leader_.piece);
-        if (lower || !leader_.corner.of(rank, segment, piece)) return false;
+    /// Does this sub-triangle come after the leader, and have the leader's corner with a slope that is proven not to be
+    /// zero?
+    bool follows(SubTriangleId id, const SegmentData& segment, const LocalSegment& local) {
+        if (id < leader_.id) return false;
+        const int corner = leader_.corner.index_in(id, segment);
+        if (corner < 0 || !slope_is_not_zero(segment, local, id.triangle(), corner)) return false;
         leader_.followed = true;
         return true;
     }
-    /// Makes it the leader if the node is exactly above one of its corners; the one before it is let go.
-    void lead(int rank, const SegmentData& segment, int piece);
+    /// Makes it the leader if the node is exactly above one of its corners; the leader before it is dropped.
+    void lead(SubTriangleId id, const SegmentData& segment);
 
-    /// Proven: one is retained rather than other.
+    /// Proven: `one` is retained rather than `other`.
     bool beats(const Contender& one, const Contender& other) const;
-    /// More than the filter is needed: a proven tie, 100 bits, whole numbers, in this order.
+    /// Where the filter does not suffice. In this order: proof of a tie, double-double, integers.
     Retained settle(std::span<const Contender> contenders, std::span<const SegmentData> segments) const;
 
     V3 p_;
-    ContactReach window_;
+    ContactReach reach_;
     ProjectionLimits rules_;
     size_t count_ = 0;
-    std::array<Contender, room> list_;
+    std::array<Contender, capacity> list_;
     Leader leader_;
-    std::vector<Contender> more_;  ///< beyond the room: so many are rare
-    ProjectionResult best_;        ///< of the one at best_place_: the last that was alone, or a lower one after it
-    std::int64_t best_place_ = -1;
+    std::vector<Contender> more_;  ///< those that do not fit into the list, which is rare
+    ProjectionResult best_;        ///< of best_id_: the last that was the only one, or a lower one after it
+    SubTriangleId best_id_ = SubTriangleId::none();
 };
 
 }  // namespace type21::optimized

@@ -1,4 +1,4 @@
-/// @file Doubles as whole numbers times one power of two.
+/// @file Doubles as integers times one power of two.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ inline mpz_class shifted(const mpz_class& value, int bits) {
     return result;
 }
 
-/// The smallest exponent among the numbers it has seen, so that all of them are whole multiples of 2^exponent.
+/// The smallest exponent among the numbers it has seen, so that all of them are integer multiples of 2^exponent.
 class CommonExponent {
   public:
     void see(double value) {
@@ -46,7 +46,7 @@ class CommonExponent {
     int value() const { return exponent_ == std::numeric_limits<int>::max() ? 0 : exponent_; }
 
     /// value / 2^exponent
-    mpz_class whole(double value) const {
+    mpz_class integer(double value) const {
         const Dyadic d = dyadic(value);
         if (d.mantissa == 0) return 0;
         static_assert(sizeof(long) == sizeof(std::int64_t));

@@ -1,4 +1,4 @@
-/// @file The projection in whole numbers: no division, no rounding, always an answer.
+/// @file The projection in integers: no division, no rounding, always an answer.
 #pragma once
 
 #include <gmpxx.h>
@@ -7,20 +7,20 @@
 
 namespace type21::optimized {
 
-/// The answer of one sub-triangle, exact but for the magnitudes in `landing`, which are rounded from exact ones.
-struct ExactLanding {
+/// The answer of one sub-triangle, exact but for the magnitudes in `projection`, which are rounded from exact ones.
+struct ExactProjection {
     bool taken = false;  ///< accepted, and near enough for contact or proximity
-    ProjectionResult landing;
-    /// kappa = kappa_over / (3 kappa_under), kappa_under > 0; both whole.
+    ProjectionResult projection;
+    /// kappa = kappa_over / (3 kappa_under), kappa_under > 0; both integers.
     mpz_class kappa_over, kappa_under;
 };
 
 /// @param k  sub-triangle, 1..4 (1 for a triangle)
-/// All of p, segment and window must be finite.
-ExactLanding exact_landing(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
-                           const ProjectionLimits& rules);
+/// All of p, segment and reach must be finite.
+ExactProjection project_exact(const V3& p, const SegmentData& segment, int k, const ContactReach& reach,
+                              const ProjectionLimits& rules);
 
 /// Sign of kappa of one minus kappa of other.
-int compare_kappa(const ExactLanding& one, const ExactLanding& other);
+int compare_kappa(const ExactProjection& one, const ExactProjection& other);
 
 }  // namespace type21::optimized

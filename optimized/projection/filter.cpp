@@ -61,10 +61,11 @@ TYPE21_INLINE Answer inside(const Real& b, const Real& c, const Real& total, dou
     return positive(least, bound);
 }
 
-/// @param fine  filled with kappa as it was computed; nullptr: not asked for
+/// @param precise  filled with kappa as it was computed; nullptr: not needed
 template <class Real>
 TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, const LocalSegmentIn<Real>& local, int k,
-                                     const ContactReach& window, const ProjectionLimits& rules, FineKappa* fine) {
+                                     const ContactReach& reach, const ProjectionLimits& rules,
+                                     KappaDoubleDouble* precise) {
     constexpr double e = Rounding<Real>::unit;
     const Real one(1);
     FilterResult result;
@@ -72,7 +73,7 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
         if (answer == Answer::no) result.verdict = Verdict::rejected;
         return answer != Answer::yes;
     };
-    const PieceCorners corner = piece_corners(segment.triangle, k);
+    const SubTriangleCorners corner = sub_triangle_corners(segment.is_triangle, k);
     const Triple<Real> nb = widened<Real>(segment.normal[static_cast<size_t>(corner.b)]);
     const Triple<Real> nc = widened<Real>(segment.normal[static_cast<size_t>(corner.c)]);
     const Triple<Real>& na = local.center_normal;
@@ -186,17 +187,17 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
     const double distance2_bound =
         (2 * offset_bound * sum + 3 * offset_bound * offset_bound + 6 * e * leading(distance2)) * second_order;
     // Step 5; strict comparisons with the squares, which round once.
-    const auto nearer = [&](double reach) {
-        const Real limit = Rounding<Real>::exact_product(reach, reach);
+    const auto nearer = [&](double limit_distance) {
+        const Real limit = Rounding<Real>::exact_product(limit_distance, limit_distance);
         return positive(leading(limit - distance2), distance2_bound + 3 * e * leading(limit));
     };
     // The side of the clipped point is the side of P: it lies in the plane, <P - point, N> = H.
     const Answer front = off_plane == Answer::yes ? (leading(height) > 0 ? Answer::yes : Answer::no) : Answer::unsure;
-    const Answer within_gap = front == Answer::no ? Answer::no : nearer(window.gap);
-    const Answer within_depth = front == Answer::yes ? Answer::no : nearer(window.depth);
+    const Answer within_gap = front == Answer::no ? Answer::no : nearer(reach.gap);
+    const Answer within_depth = front == Answer::yes ? Answer::no : nearer(reach.depth);
     Kind kind = Kind::none;
     if (front == Answer::unsure) {
-        // Nearer than both limits it is contact on either side; anything else hangs on the side.
+        // Nearer than both limits it is contact on either side. Anything else depends on the side.
         if (within_gap != Answer::yes || within_depth != Answer::yes) return result;
         kind = Kind::contact;
     } else {
@@ -204,63 +205,83 @@ TYPE21_INLINE FilterResult filter_in(const V3& p, const SegmentData& segment, co
         if (touching == Answer::unsure) return result;
         if (touching == Answer::yes) {
             kind = Kind::contact;
-        } else if (front == Answer::yes && window.proximity > 0) {
-            const Answer near = nearer(window.proximity);
+        } else if (front == Answer::yes && reach.proximity > 0) {
+            const Answer near = nearer(reach.proximity);
             if (near == Answer::unsure) return result;
             if (near == Answer::yes) kind = Kind::proximity;
         }
     }
 
-    ProjectionResult& landing = result.landing;
-    landing.kind = kind;
-    landing.side = front == Answer::yes ? 1 : (front == Answer::no ? -1 : 0);
+    ProjectionResult& projection = result.projection;
+    projection.kind = kind;
+    projection.side = front == Answer::yes ? 1 : (front == Answer::no ? -1 : 0);
     const Real third = Rounding<Real>::third();
     const Real kappa = magnitude(third - b) + magnitude(third - c) + magnitude(third + third - b - c);
     const auto rounded = [](const Triple<Real>& v) { return V3{leading(v.x), leading(v.y), leading(v.z)}; };
-    landing.b = leading(b);
-    landing.c = leading(c);
-    landing.kappa = leading(kappa);
-    landing.normal = rounded(na * a1 + nb * b1 + nc * c1);
-    landing.lift = leading(lift);
+    projection.b = leading(b);
+    projection.c = leading(c);
+    projection.kappa = leading(kappa);
+    projection.normal = rounded(na * a1 + nb * b1 + nc * c1);
+    projection.lift = leading(lift);
     if (kind == Kind::none)
-        landing.height =
+        projection.height =
             std::copysign((std::abs(leading(height)) + height_bound) / std::sqrt(leading(d2)) * (1 + 2 * too_coarse),
                           leading(height));
-    landing.innermost = std::min(leading(a1), std::min(leading(b1), leading(c1))) - db;
-    landing.weight_bound = q_bound + 2 * 0x1p-53;
-    landing.kappa_bound = 4.1 * q_bound + 12 * 0x1p-53;
-    if (fine != nullptr) *fine = {two_doubles(kappa), 4.1 * q_bound + 12 * e};
-    result.verdict = kind == Kind::none ? Verdict::beyond : Verdict::taken;
+    projection.least_w = std::min(leading(a1), std::min(leading(b1), leading(c1))) - db;
+    projection.weight_bound = q_bound + 2 * 0x1p-53;
+    projection.kappa_bound = 4.1 * q_bound + 12 * 0x1p-53;
+    if (precise != nullptr) *precise = {two_doubles(kappa), 4.1 * q_bound + 12 * e};
+    result.verdict = kind == Kind::none ? Verdict::too_far : Verdict::taken;
     return result;
 }
 
 }  // namespace
 
 FilterResult filter(const V3& p, const SegmentData& segment, const LocalSegment& local, int k,
-                    const ContactReach& window, const ProjectionLimits& rules) {
-    return filter_in<double>(p, segment, local, k, window, rules, nullptr);
+                    const ContactReach& reach, const ProjectionLimits& rules) {
+    return filter_in<double>(p, segment, local, k, reach, rules, nullptr);
+}
+
+// The bounds of N and of the slopes are those of filter_in, with S = extent: the node has no part in them.
+bool slope_is_not_zero(const SegmentData& segment, const LocalSegment& local, int k, int corner) {
+    constexpr double e = Rounding<double>::unit;
+    const double s = local.extent, nm = local.normal_size;
+    if (!(s >= Range<double>::smallest_length && s <= Range<double>::largest_length &&
+          nm >= Range<double>::smallest_normal && nm <= Range<double>::largest_normal))
+        return false;
+    const SubTriangleCorners corners = sub_triangle_corners(segment.is_triangle, k);
+    const V3 area = cross(local.corner[static_cast<size_t>(corners.b)] - local.center,
+                          local.corner[static_cast<size_t>(corners.c)] - local.center);
+    const double area_size = largest(area);
+    const double eta = 48 * e * s * s / area_size * second_order;
+    if (!(eta < too_coarse)) return false;
+    const V3& n =
+        corner == 0 ? local.center_normal : segment.normal[static_cast<size_t>(corner == 1 ? corners.b : corners.c)];
+    return std::abs(dot(n, area)) > 3.7 * eta * nm * area_size * second_order;
 }
 
 namespace {
 
 template <bool fused>
-TYPE21_INLINE FilterResult fine_filter_in(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
-                                          const ProjectionLimits& rules, FineKappa& kappa) {
+TYPE21_INLINE FilterResult filter_double_double_in(const V3& p, const SegmentData& segment, int k,
+                                                   const ContactReach& reach, const ProjectionLimits& rules,
+                                                   KappaDoubleDouble& kappa) {
     using Real = TwoDoublesOf<fused>;
-    return filter_in<Real>(p, segment, local_segment_in<Real>(segment), k, window, rules, &kappa);
+    return filter_in<Real>(p, segment, local_segment_in<Real>(segment), k, reach, rules, &kappa);
 }
 
-TYPE21_FMA FilterResult fused_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
-                                     const ProjectionLimits& rules, FineKappa& kappa) {
-    return fine_filter_in<true>(p, segment, k, window, rules, kappa);
+TYPE21_FMA FilterResult filter_double_double_fma(const V3& p, const SegmentData& segment, int k,
+                                                 const ContactReach& reach, const ProjectionLimits& rules,
+                                                 KappaDoubleDouble& kappa) {
+    return filter_double_double_in<true>(p, segment, k, reach, rules, kappa);
 }
 
 }  // namespace
 
-FilterResult fine_filter(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
-                         const ProjectionLimits& rules, FineKappa& kappa) {
-    return has_fma() ? fused_filter(p, segment, k, window, rules, kappa)
-                     : fine_filter_in<false>(p, segment, k, window, rules, kappa);
+FilterResult filter_double_double(const V3& p, const SegmentData& segment, int k, const ContactReach& reach,
+                                  const ProjectionLimits& rules, KappaDoubleDouble& kappa) {
+    return has_fma() ? filter_double_double_fma(p, segment, k, reach, rules, kappa)
+                     : filter_double_double_in<false>(p, segment, k, reach, rules, kappa);
 }
 
 }  // namespace type21::optimized

@@ -25,7 +25,7 @@ TYPE21_INLINE Triple<Real> widened(const V3& v) {
 template <class Real>
 TYPE21_INLINE LocalSegmentIn<Real> local_segment_in(const SegmentData& s) {
     LocalSegmentIn<Real> l;
-    l.origin = s.triangle ? s.node[2] : s.node[0];
+    l.origin = s.is_triangle ? s.node[2] : s.node[0];
     const Triple<Real> o = widened<Real>(l.origin);
     const Real quarter(0.25);
     for (size_t j = 0; j < 4; ++j) {
@@ -34,7 +34,7 @@ TYPE21_INLINE LocalSegmentIn<Real> local_segment_in(const SegmentData& s) {
         l.normal_size = std::max(l.normal_size, largest(s.normal[j]));
     }
     const auto n = [&](size_t j) { return widened<Real>(s.normal[j]); };
-    if (s.triangle) {
+    if (s.is_triangle) {
         l.center_normal = n(2);
     } else {
         l.center = (l.corner[1] + l.corner[2] + l.corner[3]) * quarter;

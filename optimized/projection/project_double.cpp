@@ -9,13 +9,13 @@ namespace {
 
 /// The columns from `at` on.
 template <int W>
-TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at, const LandingLimits& limits) {
+TYPE21_INLINE void project(ProjectionBatch& rows, const ProjectionRows& to, int at, const BatchLimits& limits) {
     using L = Lanes<W>;
-    using I = WholeLanes<L>;
+    using I = IntegerLanes<L>;
     using V = VectorLanes<L>;
     V y, d0, d1, d2, d3, n0, n1, n2, n3;
     I code;
-    load(place.y[0] + at, place.y[1] + at, place.y[2] + at, y);
+    load(to.y[0] + at, to.y[1] + at, to.y[2] + at, y);
     load(rows.corner[0][0] + at, rows.corner[0][1] + at, rows.corner[0][2] + at, d0);
     load(rows.corner[1][0] + at, rows.corner[1][1] + at, rows.corner[1][2] + at, d1);
     load(rows.corner[2][0] + at, rows.corner[2][1] + at, rows.corner[2][2] + at, d2);
@@ -102,20 +102,20 @@ TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at
     const L nx = a1 * xa + b1 * xb + c1 * xc;
     const L ny = a1 * ya + b1 * yb + c1 * yc;
     const L shift_x = nx * lift, shift_y = ny * lift;
-    const L landed_b = px - shift_x, landed_c = py - shift_y;
+    const L final_b = px - shift_x, final_c = py - shift_y;
     V n, x;
     n.x = (na.x * a1 + nb.x * b1) + nc.x * c1;
     n.y = (na.y * a1 + nb.y * b1) + nc.y * c1;
     n.z = (na.z * a1 + nb.z * b1) + nc.z * c1;
-    x.x = o.x + (center.x + (e1.x * landed_b + e2.x * landed_c));
-    x.y = o.y + (center.y + (e1.y * landed_b + e2.y * landed_c));
-    x.z = o.z + (center.z + (e1.z * landed_b + e2.z * landed_c));
+    x.x = o.x + (center.x + (e1.x * final_b + e2.x * final_c));
+    x.y = o.y + (center.y + (e1.y * final_b + e2.y * final_c));
+    x.z = o.z + (center.z + (e1.z * final_b + e2.z * final_c));
 
-    store(landed_b, place.b + at);
-    store(landed_c, place.c + at);
-    store(lift, place.lift + at);
-    store(n, place.n[0] + at, place.n[1] + at, place.n[2] + at);
-    store(x, place.x[0] + at, place.x[1] + at, place.x[2] + at);
+    store(final_b, to.b + at);
+    store(final_c, to.c + at);
+    store(lift, to.lift + at);
+    store(n, to.n[0] + at, to.n[1] + at, to.n[2] + at);
+    store(x, to.x[0] + at, to.x[1] + at, to.x[2] + at);
     store(a1, rows.weight[0] + at);
     store(b1, rows.weight[1] + at);
     store(c1, rows.weight[2] + at);
@@ -132,20 +132,20 @@ TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at
     most_of(other, farthest);
     store(farthest, rows.far + at);
 
-    // Is that all? NaN compares false everywhere.
-    L core, size, gap, p_size, q_size, normal_square;
-    load(rows.core + at, core);
+    // Does this projection alone decide? NaN compares false everywhere.
+    L margin, size, gap, p_size, q_size, normal_square;
+    load(rows.exclusive_margin + at, margin);
     load(rows.size + at, size);
-    load(place.gap + at, gap);
+    load(to.gap + at, gap);
     magnitude_of(px, p_size);
     magnitude_of(py, q_size);
     dot_of(n, n, normal_square);
-    L inner = a1, least = (1.0 - landed_b) - landed_c;
+    L inner = a1, least = (1.0 - final_b) - final_c;
     least_of(b1, inner);
     least_of(c1, inner);
-    least_of(landed_b, least);
-    least_of(landed_c, least);
-    const L rounding = foreseen_share * size;
+    least_of(final_b, least);
+    least_of(final_c, least);
+    const L rounding = a_priori_share * size;
     const L height2 = height * height, enlarged = height2 * (1 + 1e-9);
     const I behind = (I)height >> 63;
     L limit = zero + limits.outward, reach = gap;
@@ -154,7 +154,7 @@ TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at
     const L distance2 = lift * lift * normal_square;
     // Clipping weights >= -w, w <= 0.01, moves the point by at most half of the weights' change, 4.04 w, times an edge;
     // an edge is at most 2 sqrt(3) times the extent, which is less than the size.
-    L clipped = 2.0 * plain_share - least;
+    L clipped = 2.0 * decision_margin - least;
     most_of(zero, clipped);
     const L unsure = 2.0 * rounding + 7.1 * clipped * size;
     const L nearer = reach - unsure, farther = reach + unsure;
@@ -167,13 +167,13 @@ TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at
     sure += height2 > 4.0 * rounding * rounding * square ? one : zero;
     sure += enlarged < limit * limit * square ? one : zero;
     L met = sure;
-    met += inner >= core + foreseen_share ? one : zero;
-    met += least >= plain_weight ? one : zero;
+    met += inner >= margin + a_priori_share ? one : zero;
+    met += least >= sure_weight ? one : zero;
     // Without step 3 where step 2 rejects.
-    const L lowest = inner < plain_weight ? inner : least;
+    const L lowest = inner < sure_weight ? inner : least;
     L rejected = sure;
-    rejected += lowest < weight_limit - plain_share ? one : zero;
-    rejected += core < double(beyond_foreseen) ? one : zero;
+    rejected += lowest < weight_limit - decision_margin ? one : zero;
+    rejected += margin < double(not_a_priori_bounded) ? one : zero;
     store(rejected == 8.0 ? one : zero, rows.rejected + at);
     L touched = distance2 < nearer * nearer ? one : zero;
     touched += nearer > 0.0 ? one : zero;
@@ -188,57 +188,57 @@ TYPE21_INLINE void land(ProjectionBatch& rows, const LandingPlace& place, int at
 }
 
 template <int W>
-TYPE21_INLINE void land_all(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
-                            const LandingLimits& limits) {
+TYPE21_INLINE void project_all(ProjectionBatch& rows, const ProjectionRows& to, int first, int last,
+                               const BatchLimits& limits) {
     for (int at = first; at < last; at += W)
-        land<W>(rows, place, at, limits);
+        project<W>(rows, to, at, limits);
 }
 
-TYPE21_AVX512 void land_eight(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
-                              const LandingLimits& limits) {
-    land_all<8>(rows, place, first, last, limits);
+TYPE21_AVX512 void project_eight(ProjectionBatch& rows, const ProjectionRows& to, int first, int last,
+                                 const BatchLimits& limits) {
+    project_all<8>(rows, to, first, last, limits);
 }
-TYPE21_AVX2 void land_four(ProjectionBatch& rows, const LandingPlace& place, int first, int last,
-                           const LandingLimits& limits) {
-    land_all<4>(rows, place, first, last, limits);
+TYPE21_AVX2 void project_four(ProjectionBatch& rows, const ProjectionRows& to, int first, int last,
+                              const BatchLimits& limits) {
+    project_all<4>(rows, to, first, last, limits);
 }
-void land_two(ProjectionBatch& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits) {
-    land_all<2>(rows, place, first, last, limits);
+void project_two(ProjectionBatch& rows, const ProjectionRows& to, int first, int last, const BatchLimits& limits) {
+    project_all<2>(rows, to, first, last, limits);
 }
 
 }  // namespace
 
-void project_double(ProjectionBatch& rows, int first, int last, const LandingLimits& limits, SimdWidth machine) {
-    project_double(rows, place_in(rows, 0), first, last, limits, machine);
+void project_double(ProjectionBatch& rows, int first, int last, const BatchLimits& limits, SimdWidth machine) {
+    project_double(rows, rows_from(rows, 0), first, last, limits, machine);
 }
 
-void project_double(ProjectionBatch& rows, const LandingPlace& place, int first, int last, const LandingLimits& limits,
+void project_double(ProjectionBatch& rows, const ProjectionRows& to, int first, int last, const BatchLimits& limits,
                     SimdWidth machine) {
-    compiled_for(machine, land_eight, land_four, land_two)(rows, place, first, last, limits);
+    compiled_for(machine, project_eight, project_four, project_two)(rows, to, first, last, limits);
 }
 
 namespace {
 
 /// Q relative to o.
-V3 local_landing(const SegmentData& segment, int piece, double b, double c) {
-    const V3& o = segment.node[segment.triangle ? 2 : 0];
-    const PieceCorners corner = piece_corners(segment.triangle, piece);
+V3 local_point_at(const SegmentData& segment, int triangle, double b, double c) {
+    const V3& o = segment.node[segment.is_triangle ? 2 : 0];
+    const SubTriangleCorners corner = sub_triangle_corners(segment.is_triangle, triangle);
     std::array<V3, 4> local;
     for (size_t j = 0; j < 4; ++j)
         local[j] = segment.node[j] - o;
-    const V3 center = ((local[1] + local[2]) + local[3]) * (segment.triangle ? 0.0 : 0.25);
+    const V3 center = ((local[1] + local[2]) + local[3]) * (segment.is_triangle ? 0.0 : 0.25);
     const V3 e1 = local[static_cast<size_t>(corner.b)] - center, e2 = local[static_cast<size_t>(corner.c)] - center;
     return center + (e1 * b + e2 * c);
 }
 
 }  // namespace
 
-V3 landed_at(const SegmentData& segment, int piece, double b, double c) {
-    return segment.node[segment.triangle ? 2 : 0] + local_landing(segment, piece, b, c);
+V3 point_at(const SegmentData& segment, int triangle, double b, double c) {
+    return segment.node[segment.is_triangle ? 2 : 0] + local_point_at(segment, triangle, b, c);
 }
 
-V3 offset_from_landing(const V3& y, const SegmentData& segment, int piece, double b, double c) {
-    return (y - segment.node[segment.triangle ? 2 : 0]) - local_landing(segment, piece, b, c);
+V3 offset_from_point(const V3& y, const SegmentData& segment, int triangle, double b, double c) {
+    return (y - segment.node[segment.is_triangle ? 2 : 0]) - local_point_at(segment, triangle, b, c);
 }
 
 }  // namespace type21::optimized

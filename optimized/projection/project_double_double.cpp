@@ -7,28 +7,28 @@ namespace type21::optimized {
 namespace {
 
 template <class Real>
-struct FineVector {
+struct DoubleDoubleVector {
     Real x, y, z;
-    friend TYPE21_INLINE FineVector operator+(const FineVector& p, const FineVector& q) {
+    friend TYPE21_INLINE DoubleDoubleVector operator+(const DoubleDoubleVector& p, const DoubleDoubleVector& q) {
         return {p.x + q.x, p.y + q.y, p.z + q.z};
     }
-    friend TYPE21_INLINE FineVector operator-(const FineVector& p, const FineVector& q) {
+    friend TYPE21_INLINE DoubleDoubleVector operator-(const DoubleDoubleVector& p, const DoubleDoubleVector& q) {
         return {p.x - q.x, p.y - q.y, p.z - q.z};
     }
-    friend TYPE21_INLINE FineVector operator*(const FineVector& p, const Real& f) {
+    friend TYPE21_INLINE DoubleDoubleVector operator*(const DoubleDoubleVector& p, const Real& f) {
         return {p.x * f, p.y * f, p.z * f};
     }
 };
 template <class Real>
-TYPE21_INLINE Real dot(const FineVector<Real>& p, const FineVector<Real>& q) {
+TYPE21_INLINE Real dot(const DoubleDoubleVector<Real>& p, const DoubleDoubleVector<Real>& q) {
     return (p.x * q.x + p.y * q.y) + p.z * q.z;
 }
 template <class Real>
-TYPE21_INLINE FineVector<Real> cross(const FineVector<Real>& p, const FineVector<Real>& q) {
+TYPE21_INLINE DoubleDoubleVector<Real> cross(const DoubleDoubleVector<Real>& p, const DoubleDoubleVector<Real>& q) {
     return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 template <class I, class Real>
-TYPE21_INLINE void choose_fine(const I& mask, const FineVector<Real>& p, FineVector<Real>& r) {
+TYPE21_INLINE void choose_vector(const I& mask, const DoubleDoubleVector<Real>& p, DoubleDoubleVector<Real>& r) {
     choose(mask, p.x.high, r.x.high);
     choose(mask, p.x.low, r.x.low);
     choose(mask, p.y.high, r.y.high);
@@ -38,16 +38,16 @@ TYPE21_INLINE void choose_fine(const I& mask, const FineVector<Real>& p, FineVec
 }
 
 template <int W, bool fused>
-TYPE21_INLINE void land(const ProjectionBatch& rows, int at, FineKappaRows& kappa) {
+TYPE21_INLINE void project(const ProjectionBatch& rows, int at, KappaRows& kappa) {
     using L = Lanes<W>;
-    using I = WholeLanes<L>;
+    using I = IntegerLanes<L>;
     using Real = TwoLanes<L, fused>;
-    using V = FineVector<Real>;
+    using V = DoubleDoubleVector<Real>;
     I code;
     load(rows.code + at, code);
     const I odd = -(code & 1), late = -((code >> 1) & 1), triangle = -((code >> 2) & 1);
     const L zero = (L)(code ^ code);
-    const auto fetch = [&](const double(*row)[ProjectionBatch::room], V& v) __attribute__((always_inline)) {
+    const auto fetch = [&](const double(*row)[ProjectionBatch::capacity], V& v) __attribute__((always_inline)) {
         load(row[0] + at, v.x.high);
         load(row[1] + at, v.y.high);
         load(row[2] + at, v.z.high);
@@ -74,29 +74,29 @@ TYPE21_INLINE void land(const ProjectionBatch& rows, int at, FineKappaRows& kapp
     // o, A - o, n_A: a triangle has its third corner for all of them.
     V o = d0, center, none, na;
     none.x.high = none.x.low = none.y.high = none.y.low = none.z.high = none.z.low = zero;
-    choose_fine(triangle, d2, o);
+    choose_vector(triangle, d2, o);
     d0 = d0 - o;
     d1 = d1 - o;
     d2 = d2 - o;
     d3 = d3 - o;
     center = (d1 + d2 + d3) * quarter;
-    choose_fine(triangle, none, center);
+    choose_vector(triangle, none, center);
     na = ((n0 + n1) + (n2 + n3)) * quarter;
-    choose_fine(triangle, n2, na);
+    choose_vector(triangle, n2, na);
     const V u = (y - o) - center;
     V b = d0, c = d1, nb = n0, nc = n1, b_late = d2, c_late = d3, nb_late = n2, nc_late = n3;
-    choose_fine(odd, d1, b);
-    choose_fine(odd, d2, c);
-    choose_fine(odd, n1, nb);
-    choose_fine(odd, n2, nc);
-    choose_fine(odd, d3, b_late);
-    choose_fine(odd, d0, c_late);
-    choose_fine(odd, n3, nb_late);
-    choose_fine(odd, n0, nc_late);
-    choose_fine(late, b_late, b);
-    choose_fine(late, c_late, c);
-    choose_fine(late, nb_late, nb);
-    choose_fine(late, nc_late, nc);
+    choose_vector(odd, d1, b);
+    choose_vector(odd, d2, c);
+    choose_vector(odd, n1, nb);
+    choose_vector(odd, n2, nc);
+    choose_vector(odd, d3, b_late);
+    choose_vector(odd, d0, c_late);
+    choose_vector(odd, n3, nb_late);
+    choose_vector(odd, n0, nc_late);
+    choose_vector(late, b_late, b);
+    choose_vector(late, c_late, c);
+    choose_vector(late, nb_late, nb);
+    choose_vector(late, nc_late, nc);
 
     const V e1 = b - center, e2 = c - center;
     const V area = cross(e1, e2);
@@ -121,31 +121,31 @@ TYPE21_INLINE void land(const ProjectionBatch& rows, int at, FineKappaRows& kapp
     const Real lift = height / slope;
     const Real nx = a1 * xa + b1 * xb + c1 * xc;
     const Real ny = a1 * ya + b1 * yb + c1 * yc;
-    const Real landed_b = px - nx * lift, landed_c = py - ny * lift;
+    const Real final_b = px - nx * lift, final_c = py - ny * lift;
     const Real result =
-        magnitude(third - landed_b) + magnitude(third - landed_c) + magnitude(third + third - landed_b - landed_c);
+        magnitude(third - final_b) + magnitude(third - final_c) + magnitude(third + third - final_b - final_c);
     store(result.high, kappa.high + at);
     store(result.low, kappa.low + at);
 }
 
-TYPE21_AVX512 void land_eight(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
+TYPE21_AVX512 void project_eight(const ProjectionBatch& rows, int count, KappaRows& kappa) {
     for (int at = 0; at < count; at += 8)
-        land<8, true>(rows, at, kappa);
+        project<8, true>(rows, at, kappa);
 }
-TYPE21_FMA void land_four(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
+TYPE21_FMA void project_four(const ProjectionBatch& rows, int count, KappaRows& kappa) {
     for (int at = 0; at < count; at += 4)
-        land<4, true>(rows, at, kappa);
+        project<4, true>(rows, at, kappa);
 }
-void land_two(const ProjectionBatch& rows, int count, FineKappaRows& kappa) {
+void project_two(const ProjectionBatch& rows, int count, KappaRows& kappa) {
     for (int at = 0; at < count; at += 2)
-        land<2, false>(rows, at, kappa);
+        project<2, false>(rows, at, kappa);
 }
 
 }  // namespace
 
-void project_double_double(const ProjectionBatch& rows, int count, FineKappaRows& kappa, SimdWidth machine) {
-    const auto four = has_fma() ? land_four : land_two;
-    compiled_for(machine, land_eight, four, land_two)(rows, count, kappa);
+void project_double_double(const ProjectionBatch& rows, int count, KappaRows& kappa, SimdWidth machine) {
+    const auto four = has_fma() ? project_four : project_two;
+    compiled_for(machine, project_eight, four, project_two)(rows, count, kappa);
 }
 
 }  // namespace type21::optimized

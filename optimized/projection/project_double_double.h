@@ -1,4 +1,4 @@
-/// @file kappa in numbers of 100 bits, many nodes at a time, without a single bound.
+/// @file kappa in double-double, many nodes at a time, without error bounds.
 #pragma once
 
 #include "optimized/projection/project_double.h"
@@ -6,17 +6,17 @@
 namespace type21::optimized {
 
 /// kappa = high + low [-].
-struct FineKappaRows {
+struct KappaRows {
     alignas(64) ProjectionBatch::Row high, low;
 };
 
-/// The bounds of filter() are proportional to the rounding of one operation, and here that is 2^-47 of what it is in
-/// double: where a sub-triangle is foreseen (foreseen_bounds.h), and for the nodes that are meant there, kappa is off
-/// by at most this share of what it is off by in double.
-constexpr double fine_share = 0x1p-47;
+/// The bounds of filter() are proportional to the rounding of one operation, which is 2^-47 of that in double. So where
+/// the a priori bounds hold, the error of kappa is at most this share of its bound in double.
+constexpr double double_double_share = 0x1p-47;
 
-/// The operations of filter() in TwoDoubles. @param count  columns; up to the next multiple of eight are computed
-void project_double_double(const ProjectionBatch& rows, int count, FineKappaRows& kappa,
+/// The operations of filter() in TwoDoubles. @param count  of columns; those up to the next multiple of eight are
+/// computed
+void project_double_double(const ProjectionBatch& rows, int count, KappaRows& kappa,
                            SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

@@ -33,7 +33,7 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
     const auto segment_of = [&](int rank) {
         const auto& corner = segments[static_cast<size_t>(rank)];
         SegmentData segment;
-        segment.triangle = corner[2] == corner[3];
+        segment.is_triangle = corner[2] == corner[3];
         for (size_t j = 0; j < 4; ++j) {
             require(corner[j] >= 0 && static_cast<size_t>(corner[j]) < nodes.size(), "segment",
                     static_cast<size_t>(rank) + 1, " names a node that is not there; indices start at 0");
@@ -46,14 +46,14 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
     for (int rank = 0; rank < static_cast<int>(segments.size()); ++rank)
         decider.add(rank, segment_of(rank));
     const Retained retained = decider.retained(segment_of);
-    if (retained.segment < 0) return {};
+    if (!retained.exists()) return {};
     Decision decision;
-    decision.kind = retained.landing.kind;
-    decision.segment = retained.segment;
-    decision.triangle = retained.piece;
-    decision.side = retained.landing.side;
-    decision.b = retained.landing.b;
-    decision.c = retained.landing.c;
+    decision.kind = retained.projection.kind;
+    decision.segment = retained.id.segment();
+    decision.triangle = retained.id.triangle();
+    decision.side = retained.projection.side;
+    decision.b = retained.projection.b;
+    decision.c = retained.projection.c;
     decision.stage = stage_of(retained.settled);
     return decision;
 }

@@ -9,8 +9,8 @@
 
 namespace type21::optimized {
 
-/// The retained impact of a node, exact in the sense of formulation section 10: that of real arithmetic on the given
-/// doubles.
+/// The retained impact of a node, exact in the sense of Formulation 10, step 1: the one that real arithmetic on
+/// the given doubles would give.
 /// @param nodes     positions in the tool frame [length]
 /// @param normals   of each node, taken as given [-]
 /// @param segments  indices into nodes; a triangle repeats its third

@@ -1,4 +1,4 @@
-/// @file What a decision is taken on: a segment with its normals, and what the card allows.
+/// @file The input of a decision: a segment with its normals, reaches and limits.
 #pragma once
 
 #include <array>
@@ -11,22 +11,22 @@ namespace type21::optimized {
 struct SegmentData {
     std::array<V3, 4> node;    ///< x_j [length]
     std::array<V3, 4> normal;  ///< n_j, of any length [-]
-    bool triangle = false;
+    bool is_triangle = false;
 
-    int pieces() const { return triangle ? 1 : 4; }
+    int sub_triangles() const { return is_triangle ? 1 : 4; }
 };
 
 /// Corners B and C of sub-triangle k as corners of the segment; A is the centre of a quad and corner 2 of a triangle.
-/// Source: formulation section 1.
-struct PieceCorners {
+/// Source: Formulation 1, step 3.
+struct SubTriangleCorners {
     int b, c;
 };
-inline PieceCorners piece_corners(bool triangle, int k) {
-    if (triangle) return {0, 1};
+inline SubTriangleCorners sub_triangle_corners(bool is_triangle, int k) {
+    if (is_triangle) return {0, 1};
     return {k - 1, k % 4};
 }
 
-/// How far a node is seen by the tool, section 3 step 5.
+/// How far the tool takes a node: Formulation 3, step 5.
 struct ContactReach {
     double gap = 0;        ///< g [length]
     double depth = 0;      ///< DEPTH [length]

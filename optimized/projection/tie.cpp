@@ -20,7 +20,7 @@ bool parallelogram(const std::array<V3, 4>& x) {
 }
 
 bool above(const V3& p, const V3& at, const V3& normal) {
-    // Mostly the normal is along an axis, and then two coordinates say it.
+    // Mostly the normal is along an axis. Then two coordinates decide.
     const V3 apart{p.x == at.x ? 0.0 : 1.0, p.y == at.y ? 0.0 : 1.0, p.z == at.z ? 0.0 : 1.0};
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -54,7 +54,7 @@ bool over_edge(const V3& p, const SegmentData& s, int i, int j) {
     return over(p, s.node[v], s.normal[v], s.node[w], s.normal[w]);
 }
 
-/// The pieces k and k + 1 of a quad, k; 0: they are no such pieces.
+/// k where the two are sub-triangles k and k + 1 of a quad, else 0.
 int first_of_neighbours(int one, int other) {
     const int k = std::min(one, other), next = std::max(one, other);
     if (k == 1 && next == 4) return 4;
@@ -64,20 +64,20 @@ int first_of_neighbours(int one, int other) {
 class Ties {
   public:
     Ties(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-         const ContactReach& window, const ProjectionLimits& rules)
-        : p_(p), contenders_(contenders), segments_(segments), window_(window), rules_(rules) {}
+         const ContactReach& reach, const ProjectionLimits& rules)
+        : p_(p), contenders_(contenders), segments_(segments), reach_(reach), rules_(rules) {}
 
     bool all_above_corners() const {
         TieCorner last;
         for (size_t c = 0; c < contenders_.size(); ++c) {
             const Contender& one = contenders_[c];
-            if (c > 0 && last.of(one.segment, segments_[c], one.piece)) continue;
-            if (!corner_below(p_, one.segment, segments_[c], one.piece, last)) return false;
+            if (c > 0 && last.of(one.id, segments_[c])) continue;
+            if (!corner_below(p_, one.id, segments_[c], last)) return false;
         }
         return true;
     }
 
-    /// All of them in one chain of pairs.
+    /// All contenders are linked by pairs that are tied.
     bool linked() const {
         const size_t count = contenders_.size();
         if (count > 16) return false;
@@ -96,7 +96,7 @@ class Ties {
 
   private:
     bool pair(size_t i, size_t j) const {
-        if (contenders_[i].segment == contenders_[j].segment) return in_one_quad(i, j);
+        if (contenders_[i].id.segment() == contenders_[j].id.segment()) return in_one_quad(i, j);
         const SegmentData &s = segments_[i], &t = segments_[j];
         const std::array<int, 3> own = nodes(i), its = nodes(j);
         std::array<int, 3> shared;
@@ -114,20 +114,21 @@ class Ties {
     }
     bool in_one_quad(size_t i, size_t j) const {
         const SegmentData& s = segments_[i];
-        const int k = first_of_neighbours(contenders_[i].piece, contenders_[j].piece);
+        const int k = first_of_neighbours(contenders_[i].id.triangle(), contenders_[j].id.triangle());
         if (k == 0) return false;
         if (over_diagonal(p_, s, static_cast<size_t>(k % 4))) return true;
         if (!parallelogram(s.node)) return false;
         if (!equal(s.normal[0], s.normal[1]) || !equal(s.normal[0], s.normal[2]) || !equal(s.normal[0], s.normal[3]))
             return false;
-        const FilterResult landed = filter(p_, s, local_segment(s), k, window_, rules_);
-        return landed.verdict == Verdict::taken &&
-               landed.landing.c - 2.0 / 3 - std::abs(landed.landing.b) > 4 * landed.landing.weight_bound;
+        const FilterResult projected = filter(p_, s, local_segment(s), k, reach_, rules_);
+        return projected.verdict == Verdict::taken &&
+               projected.projection.c - 2.0 / 3 - std::abs(projected.projection.b) >
+                   4 * projected.projection.weight_bound;
     }
     /// Corners that are nodes, -1: none.
     std::array<int, 3> nodes(size_t i) const {
-        const PieceCorners k = piece_corners(segments_[i].triangle, contenders_[i].piece);
-        return {k.b, k.c, segments_[i].triangle ? 2 : -1};
+        const SubTriangleCorners k = sub_triangle_corners(segments_[i].is_triangle, contenders_[i].id.triangle());
+        return {k.b, k.c, segments_[i].is_triangle ? 2 : -1};
     }
     static const V3& node(const SegmentData& s, int j) { return s.node[static_cast<size_t>(j)]; }
     static const V3& normal(const SegmentData& s, int j) { return s.normal[static_cast<size_t>(j)]; }
@@ -135,50 +136,50 @@ class Ties {
     const V3& p_;
     std::span<const Contender> contenders_;
     std::span<const SegmentData> segments_;
-    const ContactReach& window_;
+    const ContactReach& reach_;
     const ProjectionLimits& rules_;
 };
 
 }  // namespace
 
 bool above_corner(const V3& p, const SegmentData& segment, int k, int corner) {
-    if (corner == 0 && !segment.triangle) return above_centre(p, segment);
-    const PieceCorners corners = piece_corners(segment.triangle, k);
+    if (corner == 0 && !segment.is_triangle) return above_centre(p, segment);
+    const SubTriangleCorners corners = sub_triangle_corners(segment.is_triangle, k);
     const auto j = static_cast<size_t>(corner == 0 ? 2 : (corner == 1 ? corners.b : corners.c));
     return above(p, segment.node[j], segment.normal[j]);
 }
 
-bool corner_below(const V3& p, int rank, const SegmentData& segment, int k, TieCorner& corner) {
-    const PieceCorners corners = piece_corners(segment.triangle, k);
-    for (const int j : {corners.b, corners.c, segment.triangle ? 2 : -1}) {
+bool corner_below(const V3& p, SubTriangleId id, const SegmentData& segment, TieCorner& corner) {
+    const SubTriangleCorners corners = sub_triangle_corners(segment.is_triangle, id.triangle());
+    for (const int j : {corners.b, corners.c, segment.is_triangle ? 2 : -1}) {
         if (j < 0) continue;
         const V3 &at = segment.node[static_cast<size_t>(j)], &normal = segment.normal[static_cast<size_t>(j)];
         if (!above(p, at, normal)) continue;
         corner = {-1, at, normal};
         return true;
     }
-    if (segment.triangle || !above_centre(p, segment)) return false;
-    corner = {rank, {}, {}};
+    if (segment.is_triangle || !above_centre(p, segment)) return false;
+    corner = {id.segment(), {}, {}};
     return true;
 }
 
 bool over_side(const V3& p, const SegmentData& segment, int k, int corner) {
-    const PieceCorners corners = piece_corners(segment.triangle, k);
+    const SubTriangleCorners corners = sub_triangle_corners(segment.is_triangle, k);
     const std::array<int, 3> node{2, corners.b, corners.c};
     const int i = node[static_cast<size_t>((corner + 1) % 3)], j = node[static_cast<size_t>((corner + 2) % 3)];
-    if (corner == 0 || segment.triangle) return over_edge(p, segment, i, j);
+    if (corner == 0 || segment.is_triangle) return over_edge(p, segment, i, j);
     return over_diagonal(p, segment, static_cast<size_t>(corner == 1 ? corners.c : corners.b));
 }
 
 bool tied(const V3& p, std::span<const Contender> contenders, std::span<const SegmentData> segments,
-          const ContactReach& window, const ProjectionLimits& rules) {
+          const ContactReach& reach, const ProjectionLimits& rules) {
     bool sure = true, at_corner = true;
     for (const Contender& one : contenders) {
         sure = sure && !one.unsure;
-        at_corner = at_corner && one.low < kappa_on_corner + 1e-15 && one.high > kappa_on_corner - 1e-15;
+        at_corner = at_corner && one.low < kappa_above_corner + 1e-15 && one.high > kappa_above_corner - 1e-15;
     }
     if (!sure) return false;
-    const Ties ties(p, contenders, segments, window, rules);
+    const Ties ties(p, contenders, segments, reach, rules);
     return (at_corner && ties.all_above_corners()) || ties.linked();
 }
 

@@ -28,8 +28,8 @@ class ZeroSum {
         add(product.low, z);
         add(product.high, z);
     }
-    /// Proven to be zero; false as well where the room was too small.
-    bool zero() const { return !crowded_ && count_ == 0; }
+    /// Proven to be zero; false as well where it needed more parts than there is space for.
+    bool zero() const { return !overflowed_ && count_ == 0; }
 
   private:
     void add(double x) {
@@ -44,13 +44,13 @@ class ZeroSum {
         if (count_ < part_.size()) {
             part_[count_++] = x;
         } else {
-            crowded_ = true;
+            overflowed_ = true;
         }
     }
 
     std::array<double, 24> part_;  ///< in ascending order
     size_t count_ = 0;
-    bool crowded_ = false;
+    bool overflowed_ = false;
 };
 
 }  // namespace type21::optimized

@@ -1,5 +1,5 @@
-// Many nodes at once, in the lanes of registers: balls and cores, then pairs (pairs.cpp), then all that may take them
-// (rows_search.cpp).
+// Many nodes at once, in the lanes of registers. First safe radii and exclusive regions, then edge neighbour zones
+// (edge_neighbour_zone.cpp), then the full search (rows_search.cpp).
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,11 +10,11 @@ namespace type21::optimized {
 
 namespace {
 
-/// Some nodes of a part, found without a branch and listed by eights.
+/// A subset of the nodes of a part. It is marked without a branch and listed by eights.
 struct Flags {
     alignas(8) bool at[Search::Batch::part] = {};
 
-    /// @return how many of the first `count` there are; each is put into the list, with `first` added
+    /// Writes the marked ones among the first `count` to a list, with `first` added. @return how many there are
     int list(int count, int first, int* into) const {
         int found = 0;
         for (int c = 0; c < count; c += 8) {
@@ -27,160 +27,163 @@ struct Flags {
     }
 };
 
-static_assert(Prefetcher::distance == Search::Batch::room);
+static_assert(Prefetcher::distance == Search::Batch::capacity);
 
-constexpr double taking = weight_limit + plain_share - foreseen_share;  ///< as a core: all that the sub-triangle takes
+/// The margin of a sub-triangle that is known to decide wherever it takes the node.
+constexpr double everywhere = weight_limit + decision_margin - a_priori_share;
 
 }  // namespace
 
 Retained Search::Batch::retained(int i) const {
-    if (place[i] < 0) return {};
+    if (!id[i].exists()) return {};
     Retained r;
-    r.segment = segment_of(place[i]);
-    r.piece = piece_of(place[i]);
+    r.id = id[i];
     r.settled = settled[i];
-    r.landing.kind = kind[i];
-    r.landing.side = side[i];
-    r.landing.b = b[i];
-    r.landing.c = c[i];
-    r.landing.lift = lift[i];
-    r.landing.normal = {n[0][i], n[1][i], n[2][i]};
+    r.projection.kind = kind[i];
+    r.projection.side = side[i];
+    r.projection.b = b[i];
+    r.projection.c = c[i];
+    r.projection.lift = lift[i];
+    r.projection.normal = {n[0][i], n[1][i], n[2][i]};
     return r;
 }
 
-void Search::decide(Batch& batch, const ProjectionLimits& rules, bool projects) const {
-    int last[Batch::part], open[Batch::room], left = 0;
+void Search::decide(Batch& batch, const ProjectionLimits& rules, bool project_all) const {
+    SubTriangleId last[Batch::part];
+    int open[Batch::capacity], left = 0;
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
     std::fill_n(batch.settled, batch.count, Settled::filter);
     std::fill_n(batch.kind, batch.count, Kind::contact);
     for (int first = 0; first < batch.count; first += Batch::part) {
-        left += recall(batch, first, last, open + left, projects);
-        left += look_again(batch, first, last, rules, open + left, projects);
+        left += recall(batch, first, last, open + left, project_all);
+        left += project_on_last(batch, first, last, rules, open + left, project_all);
     }
-    // Those that no core holds: near a side they are asked of two, and only then of all.
-    decide_pairs(batch, rules);
-    decide_close(batch, rules);
-    ask_rows(batch, open, left, rules, true);
+    // Nodes outside every exclusive region: near a side two sub-triangles are compared, elsewhere all are.
+    decide_neighbour_pairs(batch, rules);
+    decide_close_pairs(batch, rules);
+    search_rows(batch, open, left, rules, true);
 }
 
-int Search::recall(Batch& batch, int first, int* last, int* open, bool projects) const {
+int Search::recall(Batch& batch, int first, SubTriangleId* last, int* open, bool project_all) const {
     const int count = std::min(Batch::part, batch.count - first);
     const Memory* const memory = batch.memory + first;
     Recalled recalled;
-    static_assert(Batch::part <= Recalled::room);
+    static_assert(Batch::part <= Recalled::capacity);
     recalled.find(memory, {batch.y[0] + first, batch.y[1] + first, batch.y[2] + first}, count,
-                  batch.cores ? HUGE_VALF : shortened(small_ball_));
-    // Without a branch: which of these a node is no processor can guess.
-    const int looks = projects ? Recalled::held : Recalled::steady;
+                  batch.exclusive_regions ? HUGE_VALF : rounded_down(small_radius_));
+    // Without a branch, since no processor can predict which of these a node is.
+    const int looks = project_all ? Recalled::contact_safe : Recalled::ranking_safe;
     Flags left;
-    int quiet = 0, kept = 0;
+    int separated = 0, kept = 0;
     for (int j = 0; j < count; ++j) {
-        const int asked = batch.asked[first + j] ? -1 : 0;
-        const int what = recalled.what[j] & asked;
-        const int held = what > looks ? -1 : 0, looking = (what >= Recalled::core ? -1 : 0) & ~held;
-        last[j] = (recalled.place[j] & looking) | ~looking;
-        batch.place[first + j] = (recalled.place[j] & held) | ~held;
-        quiet += what == Recalled::quiet;
-        kept -= held;
+        const int active = batch.active[first + j] ? -1 : 0;
+        const int what = recalled.what[j] & active;
+        const int known = what > looks ? -1 : 0, looking = (what >= Recalled::project ? -1 : 0) & ~known;
+        last[j] = recalled.last[j].kept_by(looking);
+        batch.id[first + j] = recalled.last[j].kept_by(known);
+        separated += what == Recalled::separated;
+        kept -= known;
         recalled.what[j] = what;
-        left.at[j] = (what == Recalled::nothing) & (asked != 0);
+        left.at[j] = (what == Recalled::nothing) & (active != 0);
     }
-    constexpr Path path[] = {Path::certified, Path::quiet, Path::certified, Path::steady, Path::steady};
+    constexpr Path path[] = {Path::exclusive_region, Path::separated, Path::exclusive_region, Path::ranking_safe,
+                             Path::ranking_safe};
     for (int j = 0; j < count; ++j)
         batch.path[first + j] = path[recalled.what[j]];
-    for (int j = 0; j < count && !projects; ++j)
+    for (int j = 0; j < count && !project_all; ++j)
         batch.side[first + j] = memory[j].side();
-    for (int j = 0; j < count && projects; ++j)
-        tool_.prefetch_segment(segment_of(std::max(last[j], 0)));
-    batch.tally.quiet += quiet;
-    batch.tally.steady += kept;
+    for (int j = 0; j < count && project_all; ++j)
+        tool_.prefetch_segment(std::max(last[j].code(), 0) >> 2);
+    batch.tally.separated += separated;
+    batch.tally.ranking_safe += kept;
     return left.list(count, first, open);
 }
 
-double Search::least_weight(const Batch& batch, int i, int place) const {
-    return batch.path[i] == Path::steady ? taking : double(core(place));
+double Search::deciding_weight(const Batch& batch, int i, SubTriangleId id) const {
+    return batch.path[i] == Path::ranking_safe ? everywhere : double(exclusive_margin(id));
 }
 
-void Search::land_in_place(Batch& batch, int first, int count, const int* last) const {
+void Search::project_in_place(Batch& batch, int first, int count, const SubTriangleId* last) const {
     ProjectionBatch& rows = batch.rows;
-    int place[Batch::part];
-    // Those that do not look stand anywhere, and what they get is not asked.
-    const int any = *std::max_element(last, last + count);
+    SubTriangleId id[Batch::part];
+    // A node that is not projected gets any sub-triangle, and its result is not used.
+    const SubTriangleId any = *std::max_element(last, last + count);
     for (int c = 0; c < count; ++c) {
-        place[c] = last[c] < 0 ? any : last[c];
-        tool_.prefetch_corners(segment_of(place[c]));
-        rows.core[c] = least_weight(batch, first + c, place[c]);
+        id[c] = last[c].exists() ? last[c] : any;
+        tool_.prefetch_corners(id[c].segment());
+        rows.exclusive_margin[c] = deciding_weight(batch, first + c, id[c]);
     }
     constexpr int group = Prefetcher::group;
     for (int c = 0; c < count; c += group) {
-        if (batch.ahead != nullptr) batch.ahead->ask(batch.first + first + c);
-        gather_asked(rows, tool_, place + c, c, std::min(group, count - c), growth_);
+        if (batch.prefetcher != nullptr) batch.prefetcher->prefetch(batch.first + first + c);
+        gather_prefetched(rows, tool_, id + c, c, std::min(group, count - c), growth_);
     }
-    project_double(rows, place_in(batch, first), 0, count, landing_limits(batch.depth, batch.proximity));
+    project_double(rows, rows_from(batch, first), 0, count, batch_limits(batch.depth, batch.proximity));
 }
 
-void Search::land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const {
+void Search::project_gathered(Batch& batch, int first, const int* nodes, int count, const SubTriangleId* last) const {
     ProjectionBatch& rows = batch.rows;
-    int place[Batch::part] = {};
+    SubTriangleId id[Batch::part] = {};
     for (int c = 0; c < count; ++c) {
         const int i = first + nodes[c];
-        place[c] = last[nodes[c]];
-        stand_at(rows, c, batch.point(i), batch.gap[i]);
-        rows.core[c] = least_weight(batch, i, place[c]);
+        id[c] = last[nodes[c]];
+        put_node(rows, c, batch.point(i), batch.gap[i]);
+        rows.exclusive_margin[c] = deciding_weight(batch, i, id[c]);
     }
-    gather(rows, tool_, place, 0, count, growth_);
-    project_double(rows, 0, count, landing_limits(batch.depth, batch.proximity));
+    gather(rows, tool_, id, 0, count, growth_);
+    project_double(rows, 0, count, batch_limits(batch.depth, batch.proximity));
     for (int c = 0; c < count; ++c)
-        fill(batch, first + nodes[c], rows, c);
+        copy_result(batch, first + nodes[c], rows, c);
 }
 
-int Search::look_again(Batch& batch, int first, const int* last, const ProjectionLimits& rules, int* open,
-                       bool projects) const {
+int Search::project_on_last(Batch& batch, int first, const SubTriangleId* last, const ProjectionLimits& rules,
+                            int* open, bool project_all) const {
     ProjectionBatch& rows = batch.rows;
     const int count = std::min(Batch::part, batch.count - first);
     const Path* const path = batch.path + first;
     Flags looks;
     for (int j = 0; j < count; ++j)
-        looks.at[j] = last[j] >= 0;
+        looks.at[j] = last[j].exists();
     int nodes[Batch::part] = {}, left = 0, kept = 0, alone = 0;
     const int looking = looks.list(count, 0, nodes);
-    // A few are put side by side.
+    // A few nodes are gathered side by side.
     const bool in_place = looking > Batch::part / 3;
     if (in_place) {
-        land_in_place(batch, first, count, last);
+        project_in_place(batch, first, count, last);
     } else {
-        for (int j = 0; j < count && batch.ahead != nullptr; j += Prefetcher::group)
-            batch.ahead->ask(batch.first + first + j);
-        land_apart(batch, first, nodes, looking, last);
+        for (int j = 0; j < count && batch.prefetcher != nullptr; j += Prefetcher::group)
+            batch.prefetcher->prefetch(batch.first + first + j);
+        project_gathered(batch, first, nodes, looking, last);
     }
     for (int k = 0; k < looking; ++k) {
         const int j = nodes[k], c = in_place ? j : k, i = first + j;
-        const bool steady = path[j] == Path::steady, takes = rows.certain[c] > 0, misses = rows.certain[c] < 0;
+        const bool ranking_safe = path[j] == Path::ranking_safe, takes = rows.certain[c] > 0,
+                   misses = rows.certain[c] < 0;
         batch.side[i] = batch.lift[i] > 0 ? 1 : -1;
-        if (takes) batch.place[i] = last[j];
-        kept += steady & takes;
-        alone += (takes | misses) & !steady;
-        if (takes & (projects | !steady)) continue;
-        if (in_place) complete(batch, i, c);
+        if (takes) batch.id[i] = last[j];
+        kept += ranking_safe & takes;
+        alone += (takes | misses) & !ranking_safe;
+        if (takes & (project_all | !ranking_safe)) continue;
+        if (in_place) complete_rows(batch, i, c);
         if (takes) {
-            keep_held(batch, i, c);
-        } else if (steady) {
-            // A ball tells who is retained, not that nothing is.
+            keep_contact_safe(batch, i, c);
+        } else if (ranking_safe) {
+            // The ranking safe radius does not say what happens where the sub-triangle does not take the node.
             open[left++] = i;
-        } else if (!misses && !over_corner(batch, i, c) && !pair_up(batch, i, c)) {
+        } else if (!misses && !above_leading_corner(batch, i, c) && !add_neighbour_pair(batch, i, c)) {
             open[left++] = i;
         }
-        if (batch.pair_count == Batch::part) decide_pairs(batch, rules);
+        if (batch.pair_count == Batch::part) decide_neighbour_pairs(batch, rules);
     }
-    batch.tally.steady += kept;
-    batch.tally.certified += alone;
+    batch.tally.ranking_safe += kept;
+    batch.tally.exclusive_region += alone;
     return left;
 }
 
-void Search::complete(Batch& batch, int i, int c) {
+void Search::complete_rows(Batch& batch, int i, int c) {
     ProjectionBatch& rows = batch.rows;
-    stand_at(rows, c, batch.point(i), batch.gap[i]);
+    put_node(rows, c, batch.point(i), batch.gap[i]);
     for (int a = 0; a < 3; ++a)
         rows.n[a][c] = batch.n[a][i];
     rows.b[c] = batch.b[i];
@@ -188,63 +191,63 @@ void Search::complete(Batch& batch, int i, int c) {
     rows.lift[c] = batch.lift[i];
 }
 
-void Search::keep_held(Batch& batch, int i, int c) const {
+void Search::keep_contact_safe(Batch& batch, int i, int c) const {
     Memory& memory = batch.memory[i];
-    const double ball = holding_ball(batch.rows, c, batch.depth, memory.place);
-    // A smaller one would soon be gone, and the steady one with it.
-    if (std::min(ball, memory.left_at(batch.point(i))) > small_ball_ / 16)
-        memory.keep_held(batch.point(i), ball, batch.side[i]);
+    const double radius = contact_safe_radius(batch.rows, c, batch.depth, memory.last);
+    // The node would soon leave a smaller one, and with its centre moved the ranking safe radius shrinks as well.
+    if (std::min(radius, memory.left_at(batch.point(i))) > small_radius_ / 16)
+        memory.keep_contact_safe(batch.point(i), radius, batch.side[i]);
 }
 
-void Search::find(const Asked* asked, int count, const ProjectionLimits& rules, Found* found) const {
+void Search::find(const NodeQuery* query, int count, const ProjectionLimits& rules, Found* found) const {
     const auto batch = std::make_unique<Batch>();
     for (int i = 0; i < count; ++i) {
-        // The depth is one for all nodes of a batch.
+        // The depth is one number for all nodes of a batch.
         batch->count = 1;
-        batch->depth = asked[i].window.depth;
-        batch->proximity = asked[i].window.proximity;
-        batch->y[0][0] = asked[i].y.x;
-        batch->y[1][0] = asked[i].y.y;
-        batch->y[2][0] = asked[i].y.z;
-        batch->gap[0] = asked[i].window.gap;
+        batch->depth = query[i].reach.depth;
+        batch->proximity = query[i].reach.proximity;
+        batch->y[0][0] = query[i].y.x;
+        batch->y[1][0] = query[i].y.y;
+        batch->y[2][0] = query[i].y.z;
+        batch->gap[0] = query[i].reach.gap;
         Memory none;
-        batch->memory = asked[i].memory != nullptr ? asked[i].memory : &none;
-        batch->asked[0] = true;
+        batch->memory = query[i].memory != nullptr ? query[i].memory : &none;
+        batch->active[0] = true;
         find(*batch, rules);
         found[i] = {batch->retained(0), batch->path[0]};
     }
 }
 
-LandingLimits Search::landing_limits(double depth, double proximity) const {
-    // D34's boxes are asked one node after the other.
+BatchLimits Search::batch_limits(double depth, double proximity) const {
+    // D34's boxes are tested one node after the other.
     return {limits_.outward, limits_.inward, depth, proximity, !reach_box_.on};
 }
 
-void Search::stand_at(ProjectionBatch& rows, int column, const V3& y, double gap) {
+void Search::put_node(ProjectionBatch& rows, int column, const V3& y, double gap) {
     for (int a = 0; a < 3; ++a)
         rows.y[a][column] = y[a];
     rows.gap[column] = gap;
 }
 
-void Search::ask_at(ProjectionBatch& rows, int column, int place, const V3& y, double gap) const {
-    stand_at(rows, column, y, gap);
-    rows.core[column] = a_priori_bounded(place) ? taking : double(beyond_foreseen);
+void Search::put_query(ProjectionBatch& rows, int column, SubTriangleId id, const V3& y, double gap) const {
+    put_node(rows, column, y, gap);
+    rows.exclusive_margin[column] = a_priori_bounded(id) ? everywhere : double(not_a_priori_bounded);
 }
 
-void Search::land_one(const V3& y, const ContactReach& window, int place, ProjectionBatch& rows) const {
-    ask_at(rows, 0, place, y, window.gap);
-    gather(rows, tool_, &place, 0, 1, growth_);
-    project_double(rows, 0, 1, landing_limits(window.depth, window.proximity));
+void Search::project_one(const V3& y, const ContactReach& reach, SubTriangleId id, ProjectionBatch& rows) const {
+    put_query(rows, 0, id, y, reach.gap);
+    gather(rows, tool_, &id, 0, 1, growth_);
+    project_double(rows, 0, 1, batch_limits(reach.depth, reach.proximity));
 }
 
-void Search::take(Batch& batch, int i, int place, const ProjectionBatch& rows, int column) const {
-    if (batch.memory != nullptr) batch.memory[i].look_at(place);
-    batch.place[i] = place;
+void Search::take(Batch& batch, int i, SubTriangleId id, const ProjectionBatch& rows, int column) const {
+    if (batch.memory != nullptr) batch.memory[i].look_at(id);
+    batch.id[i] = id;
     batch.side[i] = rows.lift[column] > 0 ? 1 : -1;
-    fill(batch, i, rows, column);
+    copy_result(batch, i, rows, column);
 }
 
-void Search::fill(Batch& batch, int i, const ProjectionBatch& rows, int column) {
+void Search::copy_result(Batch& batch, int i, const ProjectionBatch& rows, int column) {
     batch.b[i] = rows.b[column];
     batch.c[i] = rows.c[column];
     batch.lift[i] = rows.lift[column];
@@ -254,26 +257,25 @@ void Search::fill(Batch& batch, int i, const ProjectionBatch& rows, int column) 
     }
 }
 
-void Search::put(Batch& batch, int i, const Found& found) const {
+void Search::put_found(Batch& batch, int i, const Found& found) const {
     const Retained& r = found.retained;
     batch.path[i] = found.path;
     batch.settled[i] = r.settled;
-    batch.tally.certified += found.path == Path::certified;
-    batch.tally.quiet += found.path == Path::quiet;
+    batch.tally.exclusive_region += found.path == Path::exclusive_region;
+    batch.tally.separated += found.path == Path::separated;
     batch.tally.searched += found.path == Path::searched;
-    batch.tally.fine += r.settled == Settled::fine;
-    batch.tally.whole += r.settled == Settled::whole;
-    batch.place[i] = -1;
-    if (r.segment < 0) return;
-    batch.place[i] = place_of(r.segment, r.piece);
-    batch.kind[i] = r.landing.kind;
-    batch.side[i] = static_cast<signed char>(r.landing.side);
-    batch.b[i] = r.landing.b;
-    batch.c[i] = r.landing.c;
-    batch.lift[i] = r.landing.lift;
-    const V3 x = landed_at(tool_.segment(r.segment), r.piece, r.landing.b, r.landing.c);
+    batch.tally.double_double += r.settled == Settled::double_double;
+    batch.tally.integer += r.settled == Settled::integer;
+    batch.id[i] = r.id;
+    if (!r.exists()) return;
+    batch.kind[i] = r.projection.kind;
+    batch.side[i] = static_cast<signed char>(r.projection.side);
+    batch.b[i] = r.projection.b;
+    batch.c[i] = r.projection.c;
+    batch.lift[i] = r.projection.lift;
+    const V3 x = point_at(tool_.segment(r.id.segment()), r.id.triangle(), r.projection.b, r.projection.c);
     for (int a = 0; a < 3; ++a) {
-        batch.n[a][i] = r.landing.normal[a];
+        batch.n[a][i] = r.projection.normal[a];
         batch.x[a][i] = x[a];
     }
 }

@@ -8,10 +8,10 @@ namespace type21::optimized {
 
 namespace {
 
-constexpr std::int32_t worth_tasks = 4096;  ///< boxes; below, a task costs more than it brings
+constexpr std::int32_t worth_tasks = 4096;  ///< boxes; with fewer, a task costs more than it saves
 
-/// The largest float <= v, or the one below it. Without a branch, which would be foreseen wrongly half of the time: the
-/// float below is the neighbouring pattern of bits.
+/// The largest float <= v, or the one below it. Without a branch, which would be predicted wrongly half of the time.
+/// The float below has the neighbouring pattern of bits.
 TYPE21_INLINE float down(double v) {
     const auto f = static_cast<float>(v);
     const auto bits = std::bit_cast<std::int32_t>(f);
@@ -61,8 +61,8 @@ unsigned bits_of(const V& mask) {
 #endif
 
 /// The boxes from `at` on.
-template <int W, class Branch, class Asked>
-TYPE21_INLINE unsigned ask_some(const Branch& branch, int at, const Asked& query, float* distance2) {
+template <int W, class Branch, class Query>
+TYPE21_INLINE unsigned test_some(const Branch& branch, int at, const Query& query, float* distance2) {
     using V = typename FloatsOf<W>::Real;
     V sum{};
     for (int a = 0; a < 3; ++a) {
@@ -81,16 +81,16 @@ TYPE21_INLINE unsigned ask_some(const Branch& branch, int at, const Asked& query
 
 }  // namespace
 
-TYPE21_AVX2 unsigned BoxTree::ask_eight(const Branch& branch, const Asked& query, float* distance2) {
-    return ask_some<8>(branch, 0, query, distance2);
+TYPE21_AVX2 unsigned BoxTree::test_eight(const Branch& branch, const Query& query, float* distance2) {
+    return test_some<8>(branch, 0, query, distance2);
 }
 
-unsigned BoxTree::ask_four(const Branch& branch, const Asked& query, float* distance2) {
-    return ask_some<4>(branch, 0, query, distance2) | ask_some<4>(branch, 4, query, distance2);
+unsigned BoxTree::test_four(const Branch& branch, const Query& query, float* distance2) {
+    return test_some<4>(branch, 0, query, distance2) | test_some<4>(branch, 4, query, distance2);
 }
 
-BoxTree::Asked BoxTree::asked(const Box& box, double distance) {
-    Asked query{};
+BoxTree::Query BoxTree::query_of(const Box& box, double distance) {
+    Query query{};
     for (int a = 0; a < 3; ++a) {
         query.low[a] = down(box.low[a]);
         query.high[a] = up(box.high[a]);
@@ -99,14 +99,14 @@ BoxTree::Asked BoxTree::asked(const Box& box, double distance) {
     return query;
 }
 
-/// From 1e15 on, where squares come to an end, all counts as near.
-void BoxTree::limit(Asked& query, double distance) {
+/// From 1e15 on squares overflow, and everything counts as near.
+void BoxTree::limit(Query& query, double distance) {
     query.most =
         distance < 1e15 ? up(distance * distance * (1 + 1e-5) + double(tiny)) : std::numeric_limits<float>::infinity();
 }
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, SimdWidth machine)
-    : ask_(machine == SimdWidth::two ? ask_four : ask_eight) {
+    : test_(machine == SimdWidth::two ? test_four : test_eight) {
     const auto count = static_cast<std::int32_t>(boxes.size());
     if (count == 0) return;
     std::vector<Leaf> order(boxes.size());
@@ -119,8 +119,8 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, SimdWidth machine)
     build(boxes, order.data(), count, 0);
 }
 
-/// How many branches a subtree has depends on its boxes' number alone: where each lies is known before it is built,
-/// whoever builds it.
+/// The number of branches of a subtree depends on the number of its boxes only. So the place of each branch is known
+/// before it is built, whichever thread builds it.
 Box BoxTree::build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at) {
     const std::int32_t share = share_of(count), parts = (count + share - 1) / share;
     // Halves by the longer way, until each part is alone.

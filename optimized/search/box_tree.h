@@ -1,4 +1,4 @@
-/// @file Which boxes hold a point, meet a box, or are near: a tree of boxes, built once.
+/// @file A tree of boxes: which hold a point, meet a box, or are near.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace type21::optimized {
 
-/// A tree with one box a leaf. A branch holds eight boxes of what is below it, rounded outward to float, and asks them
+/// A tree with one box a leaf. A branch holds eight boxes of what is below it, rounded outward to float, and tests them
 /// at once. All but the last branches above the leaves are full. Branches lie in depth-first order, so near ones share
 /// memory pages.
 class BoxTree {
@@ -29,12 +29,12 @@ class BoxTree {
     /// Calls found(rank) for each box that meets this one (and for some that nearly do).
     template <class Found>
     void meeting(const Box& box, const Found& found) const {
-        visit(asked(box, 0), [&](int rank, double) { found(rank); });
+        visit(query_of(box, 0), [&](int rank, double) { found(rank); });
     }
     /// Calls found(rank, lower bound on its distance from y) for boxes that are at most this far.
     template <class Found>
     void within(const V3& y, double distance, const Found& found) const {
-        visit(asked({y, y}, distance), found);
+        visit(query_of({y, y}, distance), found);
     }
     /// The same for boxes nearer than limit(), which may shrink, nearer ones first.
     template <class Limit, class Found>
@@ -47,44 +47,44 @@ class BoxTree {
         float low[3][wide], high[3][wide];
         std::int32_t below[wide];  ///< a branch, or ~rank of a box, or nothing
     };
-    /// A box rounded outward, and the square of how far from it others are looked for, rounded up.
-    struct Asked {
+    /// A box rounded outward, and the square of the distance within which boxes are looked for, rounded up.
+    struct Query {
         float low[3], high[3];
         float most;
     };
-    /// Which of the eight are not farther than that. @param distance2  filled with squares of lower bounds
-    using Ask = unsigned (*)(const Branch&, const Asked&, float* distance2);
+    /// A bit for each of the eight boxes that is not farther. @param distance2  filled with squares of lower bounds
+    using Test = unsigned (*)(const Branch&, const Query&, float* distance2);
 
     static constexpr std::int32_t nothing = std::numeric_limits<std::int32_t>::min();
-    /// Seven are put off at each level; a level divides by four or more.
+    /// At most seven wait at each level; a level divides by four or more.
     static constexpr int deepest = 7 * 16;
 
-    static Asked asked(const Box& box, double distance);
-    static void limit(Asked& query, double distance);
+    static Query query_of(const Box& box, double distance);
+    static void limit(Query& query, double distance);
     /// Squares of floats are off by 1e-6 of themselves, and by less than this where they are tiny.
     static constexpr float tiny = 1e-36F;
     static double distance(float square) {
         constexpr double farthest = 1.8e19;  // beyond that a square is infinite
         return square > tiny ? std::min(std::sqrt(double(square) - double(tiny)) * (1 - 1e-6), farthest) : 0.0;
     }
-    static unsigned ask_eight(const Branch& branch, const Asked& query, float* distance2);
-    static unsigned ask_four(const Branch& branch, const Asked& query, float* distance2);
+    static unsigned test_eight(const Branch& branch, const Query& query, float* distance2);
+    static unsigned test_four(const Branch& branch, const Query& query, float* distance2);
 
-    /// Where a box is, roughly: only the shape of the tree depends on it.
+    /// Roughly where a box is; only the shape of the tree depends on it.
     struct Leaf {
         float middle[3];
         std::int32_t rank;
     };
     Box build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at);
 
-    /// A hint to the processor: it will be asked soon.
+    /// Prefetches a branch.
     void fetch(std::int32_t at) const {
         const char* bytes = reinterpret_cast<const char*>(&branch_[static_cast<size_t>(at)]);
         for (size_t line = 0; line < sizeof(Branch); line += 64)
             __builtin_prefetch(bytes + line);
     }
     template <class Found>
-    void visit(const Asked& query, const Found& found) const {
+    void visit(const Query& query, const Found& found) const {
         if (branch_.empty()) return;
         std::int32_t open[deepest];
         alignas(32) float distance2[wide];
@@ -92,7 +92,7 @@ class BoxTree {
         open[depth++] = 0;
         while (depth > 0) {
             const Branch& branch = branch_[static_cast<size_t>(open[--depth])];
-            for (unsigned hit = ask_(branch, query, distance2); hit != 0; hit &= hit - 1) {
+            for (unsigned hit = test_(branch, query, distance2); hit != 0; hit &= hit - 1) {
                 const int i = std::countr_zero(hit);
                 if (branch.below[i] == nothing) continue;
                 if (branch.below[i] < 0) {
@@ -105,7 +105,7 @@ class BoxTree {
         }
     }
 
-    Ask ask_ = nullptr;
+    Test test_ = nullptr;
     std::vector<Branch> branch_;
 };
 
@@ -120,14 +120,14 @@ void BoxTree::near(const V3& y, const Limit& limit_now, const Found& found) cons
     alignas(32) float distance2[wide];
     int depth = 0;
     open[depth++] = {0, 0.0F};
-    Asked query = asked({y, y}, 0);
+    Query query = query_of({y, y}, 0);
     while (depth > 0) {
         const Open top = open[--depth];
         if (!(distance(top.distance2) < limit_now())) continue;
         const Branch& branch = branch_[static_cast<size_t>(top.branch)];
         limit(query, limit_now());
         const int start = depth;
-        for (unsigned hit = ask_(branch, query, distance2); hit != 0; hit &= hit - 1) {
+        for (unsigned hit = test_(branch, query, distance2); hit != 0; hit &= hit - 1) {
             const int i = std::countr_zero(hit);
             if (branch.below[i] == nothing) continue;
             if (branch.below[i] < 0) {

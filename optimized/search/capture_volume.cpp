@@ -17,23 +17,23 @@ std::array<V3, 3> drawn_out(const std::array<V3, 3>& v, double share) {
 
 }  // namespace
 
-CaptureVolume prism(const SegmentData& s, int k, const Limits& limits) {
+CaptureVolume capture_volume(const SegmentData& s, int k, const CaptureLimits& limits) {
     CaptureVolume p;
-    const PieceCorners of = piece_corners(s.triangle, k);
+    const SubTriangleCorners of = sub_triangle_corners(s.is_triangle, k);
     const auto mean = [](const std::array<V3, 4>& v) { return ((v[0] + v[1]) + (v[2] + v[3])) * 0.25; };
-    p.corner = {s.triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(of.b)],
+    p.corner = {s.is_triangle ? s.node[2] : mean(s.node), s.node[static_cast<size_t>(of.b)],
                 s.node[static_cast<size_t>(of.c)]};
-    const std::array<V3, 3> n{s.triangle ? s.normal[2] : mean(s.normal), s.normal[static_cast<size_t>(of.b)],
+    const std::array<V3, 3> n{s.is_triangle ? s.normal[2] : mean(s.normal), s.normal[static_cast<size_t>(of.b)],
                               s.normal[static_cast<size_t>(of.c)]};
     p.low = -limits.inward;
     p.high = limits.outward;
     p.growth = std::max(limits.outward, limits.inward);
     p.margin = limits.margin;
-    // Edges from coordinates relative to one corner: a distant origin does not matter to them.
+    // Edges are formed relative to one corner, so that a distant origin does not matter.
     std::array<V3, 4> local;
     for (size_t j = 0; j < 4; ++j)
         local[j] = s.node[j] - s.node[0];
-    const V3 center = s.triangle ? local[2] : mean(local);
+    const V3 center = s.is_triangle ? local[2] : mean(local);
     const V3 e1 = local[static_cast<size_t>(of.b)] - center, e2 = local[static_cast<size_t>(of.c)] - center;
     double size = 0, far = 0;
     for (size_t j = 0; j < 4; ++j) {
@@ -41,11 +41,11 @@ CaptureVolume prism(const SegmentData& s, int k, const Limits& limits) {
         far = std::max(far, largest(s.node[j]));
     }
     p.slack = 1e-7 * (size + p.growth) + 1e-13 * far;
-    p.grown = true;
+    p.distance_only = true;
     const V3 area = cross(e1, e2);
     const double length = norm(area);
-    // With u = 2^-53 and S the size: a local corner is off by 2 u S, their mean by 4 u S, an edge by 7 u S, a component
-    // of the cross product by 32 u S^2, and N by sqrt(3) times that.
+    // Errors, with u = 2^-53 and S the size: of a local corner 2 u S, of their mean 4 u S, of an edge 7 u S, of a
+    // component of the cross product 32 u S^2, of N sqrt(3) times that.
     if (!(64 * 0x1p-53 * size * size < coarsest * length)) return p;
     p.axis = area * (1 / length);
     std::array<double, 3> slope{};
@@ -73,7 +73,7 @@ CaptureVolume prism(const SegmentData& s, int k, const Limits& limits) {
             p.lean[i][c] = dot(p.outward[i], wide_rise[c]);
         }
     }
-    p.grown = false;
+    p.distance_only = false;
     return p;
 }
 
@@ -85,12 +85,12 @@ double CaptureVolume::clearance(const V3& y) const {
                  std::max(0.0, std::max(plain.low.y - y.y, y.y - plain.high.y)),
                  std::max(0.0, std::max(plain.low.z - y.z, y.z - plain.high.z))};
     double clear = norm(out) - growth;
-    if (!grown) {
+    if (!distance_only) {
         const V3 from_a = y - corner[0];
         const double h = dot(axis, from_a);
         clear = std::max(clear, std::max(h - high, low - h));
         for (size_t i = 0; i < 3; ++i) {
-            // <= 0 in the region; it changes by at most sqrt(1 + lean^2) per way of y.
+            // <= 0 in the volume; its gradient is at most sqrt(1 + lean^2).
             double beyond = std::numeric_limits<double>::infinity(), steep = 0;
             for (size_t c = 0; c < 3; ++c) {
                 beyond = std::min(beyond, dot(outward[i], from_a) - rim[i][c] - h * lean[i][c]);
@@ -107,7 +107,7 @@ Box CaptureVolume::box() const {
     for (const V3& x : corner)
         box.extend(x);
     box.grow(growth);
-    if (!grown) {
+    if (!distance_only) {
         const std::array<V3, 3> wide = drawn_out(corner, margin), wide_rise = drawn_out(rise, margin);
         Box exact;
         for (size_t c = 0; c < 3; ++c) {

@@ -1,4 +1,4 @@
-// Segments into rows: what is far in memory is asked for ahead, and four columns are filled at a time.
+// Segments into rows. What is far in memory is prefetched, and four columns are filled at a time.
 #include "optimized/search/gather.h"
 
 #include <algorithm>
@@ -36,10 +36,10 @@ void gather_one_by_one(const Tool& tool, const Segments& segment, int at, Projec
 
 using Four = Lanes<group>;
 
-/// Four rows of four numbers turned into columns; the first two only if they are asked for.
+/// Four rows of four numbers are transposed into columns; the first two columns only with `all`.
 template <bool all>
 TYPE21_INLINE void turn(const Corners& from, int offset, double* x, double* y, double* z, double* w) {
-    // Four names: GCC puts an array of registers into memory.
+    // Four names, since GCC would put an array of registers into memory.
     Four p, q, r, s;
     load(from[0] + offset, p);
     load(from[1] + offset, q);
@@ -67,25 +67,26 @@ TYPE21_AVX2 void gather_four(const Tool& tool, const Segments& segment, int at, 
 
 }  // namespace
 
-void gather(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
+void gather(ProjectionBatch& rows, const Tool& tool, const SubTriangleId* id, int first, int count, double growth,
             SimdWidth machine) {
     for (int c = 0; c < count; ++c)
-        tool.prefetch_corners(segment_of(place[c]));
-    gather_asked(rows, tool, place, first, count, growth, machine);
+        tool.prefetch_corners(id[c].segment());
+    gather_prefetched(rows, tool, id, first, count, growth, machine);
 }
 
-void gather_asked(ProjectionBatch& rows, const Tool& tool, const int* place, int first, int count, double growth,
-                  SimdWidth machine) {
+void gather_prefetched(ProjectionBatch& rows, const Tool& tool, const SubTriangleId* id, int first, int count,
+                       double growth, SimdWidth machine) {
     const auto gather_group = machine == SimdWidth::two ? gather_one_by_one : gather_four;
     for (int c = 0; c < count; c += group) {
         Segments segment;
         const int at = first + c;
         for (int i = 0; i < group; ++i) {
-            // Beyond the last one stands the last one.
-            const int one = place[std::min(c + i, count - 1)], s = segment_of(one);
+            // Columns beyond the last repeat it.
+            const SubTriangleId one = id[std::min(c + i, count - 1)];
+            const int s = one.segment();
             segment[static_cast<size_t>(i)] = s;
-            rows.code[at + i] = tool.is_triangle(s) ? 4 : one & 3;
-            rows.size[at + i] = foreseen_size(tool.extent(s), growth);
+            rows.code[at + i] = tool.is_triangle(s) ? 4 : one.triangle() - 1;
+            rows.size[at + i] = a_priori_size(tool.extent(s), growth);
         }
         gather_group(tool, segment, at, rows);
     }

@@ -6,13 +6,13 @@ namespace type21::optimized {
 
 namespace {
 
-static_assert(sizeof(Memory) == 5 * sizeof(double) && offsetof(Memory, from) == 0);
+static_assert(sizeof(Memory) == 5 * sizeof(double) && offsetof(Memory, center) == 0);
 
-/// Four memories: the first four numbers of each, turned; the fourth is not used.
+/// Four memories at a time. The first four numbers of each are transposed; the fourth is not used.
 TYPE21_AVX2 void recall_four(const Memory* memory, const std::array<const double*, 3>& y, int count, float small,
                              Recalled& found) {
     using L = Lanes<4>;
-    using I = WholeLanes<L>;
+    using I = IntegerLanes<L>;
     using Four = int __attribute__((vector_size(16)));
     for (int j = 0; j + 4 <= count; j += 4) {
         L p, q, r, s;
@@ -24,29 +24,30 @@ TYPE21_AVX2 void recall_four(const Memory* memory, const std::array<const double
         const L even = __builtin_shufflevector(p, q, 0, 4, 2, 6), odd = __builtin_shufflevector(p, q, 1, 5, 3, 7);
         const L even_too = __builtin_shufflevector(r, s, 0, 4, 2, 6),
                 odd_too = __builtin_shufflevector(r, s, 1, 5, 3, 7);
-        VectorLanes<L> from, way;
-        from.x = __builtin_shufflevector(even, even_too, 0, 1, 4, 5);
-        from.y = __builtin_shufflevector(odd, odd_too, 0, 1, 4, 5);
-        from.z = __builtin_shufflevector(even, even_too, 2, 3, 6, 7);
+        VectorLanes<L> center, way;
+        center.x = __builtin_shufflevector(even, even_too, 0, 1, 4, 5);
+        center.y = __builtin_shufflevector(odd, odd_too, 0, 1, 4, 5);
+        center.z = __builtin_shufflevector(even, even_too, 2, 3, 6, 7);
         const Memory* const m = memory + j;
-        const L ball{double(m[0].radius), double(m[1].radius), double(m[2].radius), double(m[3].radius)};
-        const L less{double(m[0].held), double(m[1].held), double(m[2].held), double(m[3].held)};
-        const Four place{m[0].place, m[1].place, m[2].place, m[3].place};
+        const L radius{double(m[0].radius), double(m[1].radius), double(m[2].radius), double(m[3].radius)};
+        const L contact{double(m[0].contact_safe), double(m[1].contact_safe), double(m[2].contact_safe),
+                        double(m[3].contact_safe)};
+        const Four last{m[0].last.code(), m[1].last.code(), m[2].last.code(), m[3].last.code()};
         load(y[0] + j, y[1] + j, y[2] + j, way);
-        minus(way, from, way);
+        minus(way, center, way);
         L square;
         dot_of(way, way, square);
         square *= 1 + 1e-14;
-        const L zero = ball - ball;
-        const I in_ball = square < ball * ball, in_less = square<less * less, outside = ball> zero;
-        const I in_steady = in_ball & ~outside;
-        const I near = -ball < zero + double(small);
-        const I looks = ~outside & (near | in_steady) & (__builtin_convertvector(place, I) >= 0);
-        // Each is one more than the one before it; -1 is true.
-        const I what = (in_ball & outside & 1) - (looks + looks) - (looks & in_steady) - (looks & in_steady & in_less);
-        const Four told = __builtin_convertvector(what, Four);
-        __builtin_memcpy(found.what + j, &told, sizeof(told));
-        __builtin_memcpy(found.place + j, &place, sizeof(place));
+        const L zero = radius - radius;
+        const I in_radius = square < radius * radius, in_contact = square<contact * contact, separates = radius> zero;
+        const I safe = in_radius & ~separates;
+        const I near = -radius < zero + double(small);
+        const I looks = ~separates & (near | safe) & (__builtin_convertvector(last, I) >= 0);
+        // The enumerators are numbered so that each condition adds one; -1 is true.
+        const I what = (in_radius & separates & 1) - (looks + looks) - (looks & safe) - (looks & safe & in_contact);
+        const Four found_what = __builtin_convertvector(what, Four);
+        __builtin_memcpy(found.what + j, &found_what, sizeof(found_what));
+        __builtin_memcpy(static_cast<void*>(found.last + j), &last, sizeof(last));
     }
 }
 
@@ -54,9 +55,10 @@ TYPE21_AVX2 void recall_four(const Memory* memory, const std::array<const double
 
 Recalled::What Recalled::of(const Memory& memory, const V3& y, float small) {
     const bool in = memory.within(y);
-    if (memory.radius > 0) return in ? quiet : nothing;
-    if (memory.place < 0 || !(in || -memory.radius < small)) return nothing;
-    return !in ? core : (memory.within_held(y) ? held : steady);
+    if (memory.radius > 0) return in ? separated : nothing;
+    if (!memory.last.exists() || !(in || -memory.radius < small)) return nothing;
+    if (!in) return project;
+    return memory.within_contact_safe(y) ? contact_safe : ranking_safe;
 }
 
 void Recalled::find(const Memory* memory, const std::array<const double*, 3>& y, int count, float small,
@@ -65,7 +67,7 @@ void Recalled::find(const Memory* memory, const std::array<const double*, 3>& y,
     if (first > 0) recall_four(memory, y, count, small, *this);
     for (int j = first; j < count; ++j) {
         what[j] = of(memory[j], {y[0][j], y[1][j], y[2][j]}, small);
-        place[j] = memory[j].place;
+        last[j] = memory[j].last;
     }
 }
 

@@ -1,26 +1,26 @@
-/// @file How decisions came about.
+/// @file Counts of how decisions were reached.
 #pragma once
 
 namespace type21::optimized {
 
-/// Decisions by what settled where to look; @see Search on cores, pairs, balls.
+/// Decisions by certificate; @see Path.
 struct PathTally {
-    long certified = 0;  ///< by the core of the last sub-triangle
-    long steady = 0;     ///< by a ball around where the node was searched for
-    long paired = 0;     ///< between it and its neighbour over one side
-    long quiet = 0;      ///< by the clearance of a node that nothing takes
-    long searched = 0;   ///< by the tree
-    long fine = 0;       ///< of these, settled in 100 bits
-    long whole = 0;      ///< of these, settled by whole numbers
+    long exclusive_region = 0;  ///< in the exclusive region of the last sub-triangle, or above a corner where it leads
+    long ranking_safe = 0;      ///< within the ranking safe radius
+    long edge_neighbour = 0;    ///< between the last sub-triangle and its neighbour over one side
+    long separated = 0;         ///< within the separated radius: nothing takes the node
+    long searched = 0;          ///< by a full search
+    long double_double = 0;     ///< of these, settled in double-double
+    long integer = 0;           ///< of these, settled in integers
 
     void add(const PathTally& other) {
-        certified += other.certified;
-        steady += other.steady;
-        paired += other.paired;
-        quiet += other.quiet;
+        exclusive_region += other.exclusive_region;
+        ranking_safe += other.ranking_safe;
+        edge_neighbour += other.edge_neighbour;
+        separated += other.separated;
         searched += other.searched;
-        fine += other.fine;
-        whole += other.whole;
+        double_double += other.double_double;
+        integer += other.integer;
     }
 };
 

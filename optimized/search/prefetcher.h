@@ -1,4 +1,4 @@
-/// @file Hints to the processor: what will be asked of nodes soon.
+/// @file Prefetching of the arrays of the nodes.
 #pragma once
 
 #include <array>
@@ -10,34 +10,34 @@
 
 namespace type21::optimized {
 
-/// Arrays with some bytes for each node. A line of memory takes as long to come as the work on several nodes, and few
-/// may be on their way at once: while eight nodes are worked on, those of eight others are asked for, a batch ahead.
-/// That changes no number. Inlined always: a compiler takes a function of hints alone for one that does nothing.
+/// Arrays with some bytes for each node. A cache line takes as long to arrive as the work on several nodes, and only a
+/// few can be under way at once. So while eight nodes are worked on, those of eight others are prefetched, a batch
+/// ahead. No number changes. Always inlined: a compiler takes a function of prefetches only for one that does nothing.
 class Prefetcher {
   public:
-    static constexpr int group = 8, distance = 256;  ///< the latter is the room of a batch
+    static constexpr int group = 8, distance = 256;  ///< distance is the capacity of a batch
 
-    /// @param last  behind the last node
+    /// @param last  one past the last node
     explicit Prefetcher(int last) : last_(last) {}
     template <class Number>
     void add(const std::vector<Number>& of) {
         if (!of.empty()) add(of.data(), sizeof(Number));
     }
     void add(const void* first, size_t bytes) { array_[arrays_++] = {static_cast<const char*>(first), bytes}; }
-    /// Of vectors that stand by the index of the node; indices mostly follow each other.
+    /// Vectors that are stored by index; consecutive nodes mostly have consecutive indices.
     template <class Vector>
     void add(std::span<const Vector> of, const std::vector<int>& index) {
         index_ = index.data();
         indexed_[indexed_arrays_++] = {reinterpret_cast<const char*>(of.data()), sizeof(Vector)};
     }
-    /// Eight nodes from this one on are worked on.
-    TYPE21_INLINE void ask(int node) const {
+    /// To be called when eight nodes from this one on are worked on.
+    TYPE21_INLINE void prefetch(int node) const {
         const int next = node + distance;
         if (next >= last_) return;
         for (size_t i = 0; i < arrays_; ++i)
-            ask(array_[i], next);
+            prefetch(array_[i], next);
         for (size_t i = 0; i < indexed_arrays_; ++i)
-            ask(indexed_[i], index_[next]);
+            prefetch(indexed_[i], index_[next]);
     }
 
   private:
@@ -45,7 +45,7 @@ class Prefetcher {
         const char* first;
         size_t bytes;
     };
-    static TYPE21_INLINE void ask(const Array& array, int at) {
+    static TYPE21_INLINE void prefetch(const Array& array, int at) {
         const char* const from = array.first + static_cast<size_t>(at) * array.bytes;
         for (size_t b = 0; b < group * array.bytes; b += 64)
             __builtin_prefetch(from + b);

@@ -1,4 +1,5 @@
-// All that may take a node, side by side in the lanes of registers, for many nodes; and how long what is found holds.
+// The full search of many nodes: all sub-triangles that may take them are projected on side by side in the lanes of
+// registers. It also finds the safe radii.
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +10,17 @@ namespace type21::optimized {
 
 namespace {
 
-constexpr int most_segments = ProjectionBatch::room / 4;  ///< around a node; with more it is asked alone
+constexpr int most_segments = ProjectionBatch::capacity / 4;  ///< near a node; one with more is decided alone
 
 struct Near {
     int segment;
-    double apart;
+    double distance;  ///< lower bound [length]
 };
 
-/// Largest distance of a landing over its height, of nodes whose weights of step 2 are >= -0.01: sqrt(1 + |s|^2) of
-/// rates.h.
-double longest_lift(const SegmentData& segment, int piece) {
+/// Largest |P - Q| / |h| of nodes with weights of step 2 >= -0.01: sqrt(1 + |s|^2) of weight_lipschitz.h.
+double longest_lift(const SegmentData& segment, int triangle) {
     constexpr double q = -weight_limit;
-    const PieceCorners of = piece_corners(segment.triangle, piece);
+    const SubTriangleCorners of = sub_triangle_corners(segment.is_triangle, triangle);
     const LocalSegment local = local_segment(segment);
     const V3 area = cross(local.corner[static_cast<size_t>(of.b)] - local.center,
                           local.corner[static_cast<size_t>(of.c)] - local.center);
@@ -39,105 +39,102 @@ double longest_lift(const SegmentData& segment, int piece) {
 
 }  // namespace
 
-double Search::ball(const ProjectionBatch& rows, int i, Standing standing, double rate, double least,
-                    double least_rate) const {
-    if (standing == Standing::unknown) return 0;
-    if (standing != Standing::taken) {
+double Search::rival_radius(const ProjectionBatch& rows, int i, State state, double bound, double least,
+                            double own_bound) const {
+    if (state == State::unknown) return 0;
+    if (state != State::taken) {
         const double above =
             rows.distance_from_plane(i) * (1 - 1e-9) - (rows.height[i] > 0 ? limits_.outward : limits_.inward);
-        if (above > 0) return above - 2 * foreseen_share * rows.size[i];
+        if (above > 0) return above - 2 * a_priori_share * rows.size[i];
     }
-    if (!(rate < no_rate && least_rate < no_rate)) return 0;
-    const double cap = rate_reach / rate;
-    if (standing != Standing::rejected)
-        return std::min(cap, (kappa_of(rows.b[i], rows.c[i]) - least - plain_share) / (2 * (rate + least_rate)));
-    const double inner = rows.innermost(i), low = inner < weight_limit - plain_share ? inner : rows.least_landed(i);
-    return std::min(cap, (weight_limit - plain_share - low) / rate);
+    if (!(bound < no_lipschitz && own_bound < no_lipschitz)) return 0;
+    const double cap = lipschitz_reach / bound;
+    if (state != State::rejected)
+        return std::min(cap, (kappa_of(rows.b[i], rows.c[i]) - least - decision_margin) / (2 * (bound + own_bound)));
+    const double inner = rows.least_w(i), low = inner < weight_limit - decision_margin ? inner : rows.least_v(i);
+    return std::min(cap, (weight_limit - decision_margin - low) / bound);
 }
 
-/// Which of these foreseen columns has the least kappa in 100 bits, -1: that does not tell.
-int Search::least_fine_kappa(Batch& batch, const int* columns, int count) const {
-    ProjectionBatch& told = batch.partners;
+/// Which of these columns, all a priori bounded, has the least kappa in double-double; -1: that cannot tell.
+int Search::least_kappa_double_double(Batch& batch, const int* columns, int count) const {
+    ProjectionBatch& copy = batch.partners;
     const ProjectionBatch& rows = batch.others;
     for (int j = 0; j < count; ++j) {
         const int c = columns[j];
         for (int a = 0; a < 3; ++a) {
-            told.y[a][j] = rows.y[a][c];
+            copy.y[a][j] = rows.y[a][c];
             for (int k = 0; k < 4; ++k) {
-                told.corner[k][a][j] = rows.corner[k][a][c];
-                told.normal[k][a][j] = rows.normal[k][a][c];
+                copy.corner[k][a][j] = rows.corner[k][a][c];
+                copy.normal[k][a][j] = rows.normal[k][a][c];
             }
         }
-        told.code[j] = rows.code[c];
+        copy.code[j] = rows.code[c];
     }
-    project_double_double(told, count, batch.fine);
-    const auto kappa = [&](int j) { return TwoDoubles(batch.fine.high[j], batch.fine.low[j]); };
+    project_double_double(copy, count, batch.kappa);
+    const auto kappa = [&](int j) { return TwoDoubles(batch.kappa.high[j], batch.kappa.low[j]); };
     int best = 0;
     for (int j = 1; j < count; ++j)
         if ((kappa(j) - kappa(best)).high < 0) best = j;
-    const auto bound = [&](int j) { return fine_bound(batch.candidates[columns[j]].place); };
+    const auto bound = [&](int j) { return double_double_bound(batch.candidates[columns[j]].id); };
     for (int j = 0; j < count; ++j)
         if (j != best && !((kappa(j) - kappa(best)).high > 1.001 * (bound(j) + bound(best)))) return -1;
     return best;
 }
 
-/// One of these is retained, all of which take the node: a tie, or what it takes.
-Retained Search::tell_apart(Batch& batch, int i, const int* columns, int count, const ProjectionLimits& rules) const {
+/// All of these take the node, and one of them is retained. In this order: proof of a tie, double-double, Decider.
+Retained Search::decide_close_candidates(Batch& batch, int i, const int* columns, int count,
+                                         const ProjectionLimits& rules) const {
     const V3 y = batch.point(i);
-    const ContactReach window{batch.gap[i], batch.depth, batch.proximity};
+    const ContactReach reach{batch.gap[i], batch.depth, batch.proximity};
     Contender* const contenders = batch.contenders;
     SegmentData* const segments = batch.segments;
     for (int j = 0; j < count; ++j) {
-        const int c = columns[j], place = batch.candidates[c].place;
+        const int c = columns[j];
+        const SubTriangleId id = batch.candidates[c].id;
         const double kappa = kappa_of(batch.others.b[c], batch.others.c[c]);
-        contenders[j] = {segment_of(place),   piece_of(place),    Kind::contact, false,
-                         kappa - plain_share, kappa + plain_share};
-        segments[j] = tool_.segment(segment_of(place));
+        contenders[j] = {id, Kind::contact, false, kappa - decision_margin, kappa + decision_margin};
+        segments[j] = tool_.segment(id.segment());
     }
+    Retained first;
     const auto n = static_cast<size_t>(count);
-    if (tied(y, {contenders, n}, {segments, n}, window, rules)) {
-        int lowest = batch.candidates[columns[0]].place;
+    if (tied(y, {contenders, n}, {segments, n}, reach, rules)) {
+        first.id = contenders[0].id;
         for (int j = 1; j < count; ++j)
-            lowest = std::min(lowest, batch.candidates[columns[j]].place);
-        Retained first;
-        first.segment = segment_of(lowest);
-        first.piece = piece_of(lowest);
+            first.id = std::min(first.id, contenders[j].id);
         first.settled = Settled::tie;
         return first;
     }
-    if (const int best = least_fine_kappa(batch, columns, count); best >= 0) {
-        Retained first;
-        first.segment = contenders[best].segment;
-        first.piece = contenders[best].piece;
-        first.settled = Settled::fine;
+    if (const int best = least_kappa_double_double(batch, columns, count); best >= 0) {
+        first.id = contenders[best].id;
+        first.settled = Settled::double_double;
         return first;
     }
-    Decider decider(y, window, rules);
+    Decider decider(y, reach, rules);
     for (size_t j = 0; j < n; ++j)
-        decider.add(contenders[j].segment, contenders[j].piece,
-                    filter(y, segments[j], local_segment(segments[j]), contenders[j].piece, window, rules));
+        decider.add(contenders[j].id,
+                    filter(y, segments[j], local_segment(segments[j]), contenders[j].id.triangle(), reach, rules));
     return decider.retained([&](int s) { return tool_.segment(s); });
 }
 
-/// The node whose candidates these are. @return false where that takes more than a plain projection
+/// Decides the node that these candidates belong to. @return false where plain projections do not suffice
 bool Search::decide_candidates(Batch& batch, int first, int last, const ProjectionLimits& rules, bool remembers) const {
     const ProjectionBatch& rows = batch.others;
     const int i = batch.candidates[first].column;
-    const double wanted = remembers ? ball_wanted(batch.memory[i]) : 0;  // before the node remembers something else
+    const double wanted = remembers ? wanted_radius(batch.memory[i]) : 0;  // before the memory is overwritten
     int best = -1;
-    double least = HUGE_VAL, next = HUGE_VAL;
-    double lands = HUGE_VAL;  ///< smallest kappa of those that may take it
-    bool beyond = false;
-    Standing standings[ProjectionBatch::room];
+    double least = HUGE_VAL, next = HUGE_VAL;  // kappas of those that take it
+    double least_unsure = HUGE_VAL;            // kappa of those whose distance is unsure
+    bool too_far = false;
+    State states[ProjectionBatch::capacity];
     for (int c = first; c < last; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
-        const Standing stands = standings[c] = standing_in_rows(rows, c, batch.depth, one.place);
-        if (stands == Standing::unknown && !(one.apart > 0)) return false;
-        beyond |= stands == Standing::beyond;
-        if (stands != Standing::taken && stands != Standing::lands) continue;
+        const State state = states[c] = state_in_rows(rows, c, batch.depth, one.id);
+        if (state == State::unknown && !(one.distance > 0)) return false;
+        too_far |= state == State::too_far;
+        if (state != State::taken && state != State::distance_unsure) continue;
         const double kappa = kappa_of(rows.b[c], rows.c[c]);
-        if (stands == Standing::lands) {
-            lands = std::min(lands, kappa);
+        if (state == State::distance_unsure) {
+            least_unsure = std::min(least_unsure, kappa);
             continue;
         }
         if (kappa < least) {
@@ -148,134 +145,137 @@ bool Search::decide_candidates(Batch& batch, int first, int last, const Projecti
             next = std::min(next, kappa);
         }
     }
-    // Within this of the node none of the others takes it, or only with a larger kappa.
+    // Within this distance of the node no rival takes it, or only with a larger kappa.
     const auto radius = [&] {
-        const double own = best < 0 ? 0.0 : double(rate(batch.candidates[best].place));
+        const double own = best < 0 ? 0.0 : double(lipschitz(batch.candidates[best].id));
         double all = wanted;
         for (int c = first; c < last; ++c) {
             if (c == best) continue;
             const Batch::Candidate& one = batch.candidates[c];
-            all = std::min(all, std::max(one.apart, ball(rows, c, standings[c], rate(one.place), least, own)));
+            all =
+                std::min(all, std::max(one.distance, rival_radius(rows, c, states[c], lipschitz(one.id), least, own)));
         }
         return all;
     };
     batch.path[i] = Path::searched;
     if (best < 0) {
-        if (lands < HUGE_VAL || (beyond && batch.proximity > 0)) return false;
+        if (least_unsure < HUGE_VAL || (too_far && batch.proximity > 0)) return false;
         ++batch.tally.searched;
-        batch.place[i] = -1;
-        if (remembers) keep_quiet(batch, i, radius());
+        batch.id[i] = SubTriangleId::none();
+        if (remembers) keep_separated(batch, i, radius());
         return true;
     }
-    if (!(lands - least > plain_share)) return false;
-    if (!(next - least > plain_share)) {
-        // Those that plain numbers do not tell apart; all others have lost.
-        int close[ProjectionBatch::room], count = 0;
+    if (!(least_unsure - least > decision_margin)) return false;
+    if (!(next - least > decision_margin)) {
+        // Those that plain double does not separate. All others have lost.
+        int close[ProjectionBatch::capacity], count = 0;
         for (int c = first; c < last; ++c)
-            if (standings[c] == Standing::taken && !(kappa_of(rows.b[c], rows.c[c]) - least > plain_share))
+            if (states[c] == State::taken && !(kappa_of(rows.b[c], rows.c[c]) - least > decision_margin))
                 close[count++] = c;
         if (count > Batch::most_close) return false;
-        const Retained told = tell_apart(batch, i, close, count, rules);
+        const Retained retained = decide_close_candidates(batch, i, close, count, rules);
         for (int c = 0; c < count; ++c)
-            if (batch.candidates[close[c]].place == place_of(told.segment, told.piece)) best = close[c];
-        batch.settled[i] = told.settled;
-        batch.tally.fine += told.settled == Settled::fine;
-        batch.tally.whole += told.settled == Settled::whole;
-        least = HUGE_VAL;  // no ball
+            if (batch.candidates[close[c]].id == retained.id) best = close[c];
+        batch.settled[i] = retained.settled;
+        batch.tally.double_double += retained.settled == Settled::double_double;
+        batch.tally.integer += retained.settled == Settled::integer;
+        least = HUGE_VAL;  // no radius
     }
     ++batch.tally.searched;
-    const int place = batch.candidates[best].place;
-    take(batch, i, place, rows, best);
-    if (remembers) batch.memory[i].keep_steady(place, batch.point(i), std::min(radius(), reach_of(rate(place))));
+    const SubTriangleId id = batch.candidates[best].id;
+    take(batch, i, id, rows, best);
+    if (remembers)
+        batch.memory[i].keep_ranking_safe(id, batch.point(i), std::min(radius(), lipschitz_reach_of(lipschitz(id))));
     return true;
 }
 
-/// @param radius  within which nothing takes the node; where nothing is nearer than usual, or no radius is known, all
-/// prisms are asked
-void Search::keep_quiet(const Batch& batch, int i, double radius) const {
+/// @param radius  within which nothing takes the node; where it is not known, or nothing is near, the clearance of all
+/// capture volumes counts
+void Search::keep_separated(const Batch& batch, int i, double radius) const {
     Memory& memory = batch.memory[i];
-    if (!(radius > 0) || radius >= ball_wanted(memory)) return keep_quiet(batch.point(i), memory);
-    memory.keep_quiet(batch.point(i), radius);
+    if (!(radius > 0) || radius >= wanted_radius(memory)) return keep_separated(batch.point(i), memory);
+    memory.keep_separated(batch.point(i), radius);
 }
 
-double Search::ball_wanted(const Memory& memory) const {
-    if (memory.place < 0 || !(memory.radius < 0)) return usual_ball_;
-    return std::clamp(-8 * double(memory.radius), small_ball_, usual_ball_);
+double Search::wanted_radius(const Memory& memory) const {
+    if (!memory.last.exists() || !(memory.radius < 0)) return usual_radius_;
+    return std::clamp(-8 * double(memory.radius), small_radius_, usual_radius_);
 }
 
-double Search::holding_ball(const ProjectionBatch& rows, int i, double depth, int place) const {
-    const double own = rate(place), size = rows.size[i], rounding = 3 * foreseen_share * size;
-    if (!(own < no_rate)) return 0;
-    const double in_weights = (std::min(rows.least_landed(i), rows.innermost(i) - weight_limit) - plain_share) / own;
+double Search::contact_safe_radius(const ProjectionBatch& rows, int i, double depth, SubTriangleId id) const {
+    const double own = lipschitz(id), size = rows.size[i], rounding = 3 * a_priori_share * size;
+    if (!(own < no_lipschitz)) return 0;
+    const double in_weights = (std::min(rows.least_v(i), rows.least_w(i) - weight_limit) - decision_margin) / own;
     const double height = rows.distance_from_plane(i);
     const double reach = rows.height[i] > 0 ? rows.gap[i] : depth;
-    const double in_reach = reach / longest_lift(tool_.segment(segment_of(place)), piece_of(place)) - height;
-    return std::min(std::min(in_weights, reach_of(own)), std::min(height, in_reach) * (1 - 1e-9) - rounding);
+    const double in_reach = reach / longest_lift(tool_.segment(id.segment()), id.triangle()) - height;
+    return std::min(std::min(in_weights, lipschitz_reach_of(own)), std::min(height, in_reach) * (1 - 1e-9) - rounding);
 }
 
 void Search::decide_candidates(Batch& batch, const ProjectionLimits& rules, bool remembers) const {
     const int count = batch.candidate_count;
     batch.candidate_count = 0;
     if (count == 0) return;
-    int place[ProjectionBatch::room] = {};
+    SubTriangleId id[ProjectionBatch::capacity] = {};
     for (int c = 0; c < count; ++c) {
         const Batch::Candidate& one = batch.candidates[c];
-        place[c] = one.place;
-        ask_at(batch.others, c, one.place, batch.point(one.column), batch.gap[one.column]);
+        id[c] = one.id;
+        put_query(batch.others, c, one.id, batch.point(one.column), batch.gap[one.column]);
     }
-    gather(batch.others, tool_, place, 0, count, growth_);
-    project_double(batch.others, 0, count, landing_limits(batch.depth, batch.proximity));
+    gather(batch.others, tool_, id, 0, count, growth_);
+    project_double(batch.others, 0, count, batch_limits(batch.depth, batch.proximity));
     for (int first = 0; first < count;) {
         const int i = batch.candidates[first].column;
         int last = first + 1;
         while (last < count && batch.candidates[last].column == i)
             ++last;
-        if (!decide_candidates(batch, first, last, rules, remembers)) ask_alone(batch, i, rules, remembers);
+        if (!decide_candidates(batch, first, last, rules, remembers)) decide_alone(batch, i, rules, remembers);
         first = last;
     }
 }
 
-void Search::ask_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const {
+void Search::decide_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const {
     const V3 y = batch.point(i);
-    const ContactReach window{batch.gap[i], batch.depth, batch.proximity};
-    put(batch, i, remembers ? find(y, window, rules, batch.memory[i]) : Found{search(y, window, rules)});
+    const ContactReach reach{batch.gap[i], batch.depth, batch.proximity};
+    put_found(batch, i, remembers ? find(y, reach, rules, batch.memory[i]) : Found{search(y, reach, rules)});
 }
 
-void Search::ask_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules, bool remembers) const {
-    // D34 asks for boxes, D35 lifts what leans, D11 lets contact and proximity compete: one node after the other.
+void Search::search_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules,
+                         bool remembers) const {
+    // With D34, with D35, and with D11 where there is proximity, nodes are decided one by one.
     const bool plain = !reach_box_.on && !limits_.lift_leaning && !(rules.proximity_competes && batch.proximity > 0);
     for (int j = 0; j < count; ++j) {
         const int i = open[j];
         const V3 y = batch.point(i);
-        const double around = remembers ? ball_wanted(batch.memory[i]) : 0;
+        const double around = remembers ? wanted_radius(batch.memory[i]) : 0;
         Near near[most_segments];
         int segments = 0;
         if (plain)
-            tree_.within(y, around, [&](int s, double apart) {
-                if (segments < most_segments) near[segments] = {s, apart};
+            tree_.within(y, around, [&](int s, double distance) {
+                if (segments < most_segments) near[segments] = {s, distance};
                 tool_.prefetch_segment(s);
-                __builtin_prefetch(&margins(place_of(s, 1)));
+                __builtin_prefetch(&margins({s, 1}));
                 ++segments;
             });
-        if (!plain || segments > most_segments || (remembers && filtered(batch.memory[i]))) {
-            ask_alone(batch, i, rules, remembers);
+        if (!plain || segments > most_segments || (remembers && needs_filter(batch.memory[i]))) {
+            decide_alone(batch, i, rules, remembers);
             continue;
         }
         if (segments == 0) {
             batch.path[i] = Path::searched;
             ++batch.tally.searched;
-            batch.place[i] = -1;
-            if (remembers) keep_quiet(batch, i, usual_ball_);
+            batch.id[i] = SubTriangleId::none();
+            if (remembers) keep_separated(batch, i, usual_radius_);
             continue;
         }
         int columns = 0;
         for (int s = 0; s < segments; ++s)
             columns += tool_.is_triangle(near[s].segment) ? 1 : 4;
-        if (batch.candidate_count + columns > ProjectionBatch::room) decide_candidates(batch, rules, remembers);
+        if (batch.candidate_count + columns > ProjectionBatch::capacity) decide_candidates(batch, rules, remembers);
         for (int s = 0; s < segments; ++s) {
-            const int pieces = tool_.is_triangle(near[s].segment) ? 1 : 4;
-            for (int k = 1; k <= pieces; ++k) {
-                batch.candidates[batch.candidate_count++] = {i, place_of(near[s].segment, k), near[s].apart};
+            const int sub_triangles = tool_.is_triangle(near[s].segment) ? 1 : 4;
+            for (int k = 1; k <= sub_triangles; ++k) {
+                batch.candidates[batch.candidate_count++] = {i, {near[s].segment, k}, near[s].distance};
             }
         }
     }
@@ -283,7 +283,7 @@ void Search::ask_rows(Batch& batch, const int* open, int count, const Projection
 }
 
 void Search::search(Batch& batch, const ProjectionLimits& rules) const {
-    int all[Batch::room];
+    int all[Batch::capacity];
     batch.pair_count = batch.close_count = batch.candidate_count = 0;
     batch.tally = {};
     std::fill_n(batch.settled, batch.count, Settled::filter);
@@ -291,7 +291,7 @@ void Search::search(Batch& batch, const ProjectionLimits& rules) const {
     batch.memory = nullptr;
     for (int i = 0; i < batch.count; ++i)
         all[i] = i;
-    ask_rows(batch, all, batch.count, rules, false);
+    search_rows(batch, all, batch.count, rules, false);
 }
 
 }  // namespace type21::optimized

@@ -9,6 +9,7 @@
 #include "optimized/projection/a_priori_bounds.h"
 #include "optimized/projection/decide.h"
 #include "optimized/projection/project_double_double.h"
+#include "optimized/projection/sub_triangle_id.h"
 #include "optimized/search/box_tree.h"
 #include "optimized/search/capture_volume.h"
 #include "optimized/search/gather.h"
@@ -19,33 +20,33 @@
 
 namespace type21::optimized {
 
-/// How a node's decision came about.
+/// How a decision was reached.
 enum class Path {
-    certified,  ///< the sub-triangle of the last cycle, and no other can take the node there
-    steady,     ///< that sub-triangle, and the node has moved less than what that is proven for
-    paired,     ///< that sub-triangle or its neighbour over one side, and no other can take the node there
-    quiet,      ///< nothing takes it: it has moved less than its clearance
-    searched    ///< all that may take it were asked
+    exclusive_region,  ///< the sub-triangle of the last cycle: no other can take the node there
+    ranking_safe,      ///< that sub-triangle: the node is within the ranking safe radius
+    edge_neighbour,    ///< that sub-triangle or its neighbour over one side: no other can take the node there
+    separated,         ///< nothing: the node has moved less than its distance to all capture volumes
+    searched           ///< by a full search
 };
 
-/// Are nodes asked again so often that cores pay? Finding those of a segment costs about as much as ten searches: where
-/// balls hold for long, or sub-triangles are many and few nodes pass each, searching is cheaper. ImpactEnclosure by the
-/// mean of about the last eight cycles, of all nodes, so that no thread's pace has a part in it; once they pay they are
-/// asked for ever after.
+/// Decides when exclusive regions are worth their set-up. Those of one segment cost about as much as ten searches. They
+/// do not pay where radii last long, or where there are many sub-triangles and each meets few nodes. The criterion is
+/// the share of nodes that are searched for or compared with a neighbour, averaged over about eight cycles and all
+/// nodes, so that no count of a single thread enters. Once they pay, they are used for the rest of the run.
 class ExclusiveRegionPolicy {
   public:
-    void add(const PathTally& cycle, long nodes, long places) {
+    void add(const PathTally& cycle, long nodes, long sub_triangles) {
         const double now =
-            static_cast<double>(cycle.searched + cycle.paired) / static_cast<double>(std::max(nodes, 1L));
-        // The first cycle searches for all.
+            static_cast<double>(cycle.searched + cycle.edge_neighbour) / static_cast<double>(std::max(nodes, 1L));
+        // The first cycle searches for all nodes and does not count.
         mean_ = mean_ < 0 ? 0 : mean_ + (now - mean_) / 8;
-        often_ = often_ || (mean_ > 0.06 && places < 4 * nodes);
+        pays_ = pays_ || (mean_ > 0.06 && sub_triangles < 4 * nodes);
     }
-    bool often() const { return often_; }
+    bool pays() const { return pays_; }
 
   private:
     double mean_ = -1;
-    bool often_ = false;
+    bool pays_ = false;
 };
 
 /// D34: the box in which a node must lie before a segment competes at all.
@@ -53,244 +54,244 @@ struct ReachBoxRule {
     bool on = false;
     Mat3 axes = Mat3::Identity();
     double proximity = 0;  ///< [length]
-    bool holds(const V3& y, const SegmentData& segment, const ContactReach& window) const;
+    bool holds(const V3& y, const SegmentData& segment, const ContactReach& reach) const;
 };
 
-/// Answers for one tool and one set of limits. Any number of threads may ask at once.
+/// The retained impacts on one tool, for one set of limits. Any number of threads may call it at once. T is the
+/// sub-triangle that a node remembers. README.md of optimized/ has the proofs.
 ///
-/// Cores. Let m(T) be the smallest weight such that no point that T takes with all weights of step 2 >= m(T) is taken
-/// by any other sub-triangle (margin_apart over all T' whose boxes meet that of T's segment; boxes that do not meet are
-/// apart). A node that projects on T with weights >= m(T), at a height between -DEPTH and the largest reach, is taken
-/// by T or by nothing: its projection on T alone decides. m depends on the tool and its limits only; it is found when
-/// first needed, and is the same number whoever finds it.
+/// Exclusive region. m(T) is the least margin such that no point that T takes with all weights of step 2 >= m(T) is
+/// taken by another sub-triangle. A node that projects on T with weights >= m(T), at a height between -DEPTH and the
+/// largest reach, is taken by T or by nothing. So its projection on T decides. m(T) depends on the tool and its limits
+/// only. It is found when first needed, and is the same number whichever thread finds it.
 ///
-/// Pairs. Let E be the sub-triangle over one side of T, and m2(T) such that no point that T takes with both weights of
-/// that side >= m2(T) is taken by any sub-triangle but T and E. There the two decide between them: near a side, where
-/// the 1 % by which sub-triangles overlap keeps nodes out of every core.
+/// Edge neighbour zone. E is the sub-triangle over one side of T. m2(T) is a margin such that no point that T takes
+/// with both weights of that side >= m2(T) is taken by any sub-triangle but T and E. There these two are compared. Near
+/// a side the 1 % by which sub-triangles overlap keeps nodes out of every exclusive region.
 ///
-/// Corners. T leads at its corner V when it has the lowest number of all that have V, and no point that T takes with a
-/// weight of V >= lead_weight is taken by any that has not. Exactly above V all that have it are tied (tie.h): if T
-/// takes the node, it is retained.
+/// Corners. T leads at its corner V under three conditions: it has the lowest number of all sub-triangles with V; the
+/// slope <n_V, N'> of each of these is proven not to be zero; no point that T takes with a weight of V >= lead_weight
+/// is taken by a sub-triangle without V. Exactly above V, those with V are tied or do not take the node (tie.h). So if
+/// T takes it, T is retained.
 ///
-/// Steady. Where T is retained, a ball around the node in which every sub-triangle that takes it has a larger kappa
-/// than T: as long as T takes it as contact, T is retained. A sub-triangle that takes the node now, or is only too far
-/// from it, keeps its distance in kappa for (kappa' - kappa) / (2 (rate + rate')), the rates being those of rates.h;
-/// one whose weights are below the limit by w cannot take it within w / rate', and one out of whose box, or heights,
-/// the node is needs that way. Both rates hold for rate_reach / rate. Near a side m2(T) leaves E alone to be asked,
-/// within (w - m2) / rate. Gaps are not part of this: a ball outlives their change.
+/// Ranking safe radius. T is retained, and within this radius of the node every sub-triangle that takes the node has a
+/// larger kappa than T. So T is retained there as long as T takes the node in contact. The radius does not depend on
+/// gaps and outlives their change.
 ///
-/// Held. Where T, foreseen, takes the node with weights w of step 2 and v of step 3 at a height h over its plane, it
-/// does so as contact, on the same side, for every node within r of it if
-///   r <= (w + 0.01) / rate, r <= v / rate: no weight leaves its limits, no point is clipped,
-///   r < |h|, for a height changes no faster than the node moves,
-///   r <= reach / l - |h|, l a bound on sqrt(1 + |s|^2): with Q = P - h (N^ + s) of rates.h that times |h| is the
-///   distance.
-/// Rates prove besides that <n, N> > 0 and W > 0 there. Where the steady ball holds the node, too, no projection is
-/// needed to know who is retained; where only that does, a projection tells, and r anew.
+/// Contact safe radius. Within it T takes the node in contact and on the same side. Inside both radii the decision is
+/// known without a projection. Inside the ranking safe radius only, one projection decides and gives a new contact safe
+/// radius.
 ///
-/// Quiet. Where nothing takes a node, the smallest clearance over all prisms is how far it may move before anything
-/// can.
+/// Separated. Nothing takes the node. The least clearance over all capture volumes is how far the node may move before
+/// anything can.
 class Search {
   public:
-    Search(const Tool& tool, const Limits& limits, const ReachBoxRule& reach_box);
+    Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule& reach_box);
 
     struct Found {
         Retained retained;
         Path path = Path::searched;
     };
-    /// Nodes and what is found of them, a row a number: many, so that what few of them ask for fills registers. They
-    /// are worked on in parts, which the nearest cache holds.
+    /// Nodes and their retained impacts, one row for each number. A batch is large so that the few nodes that need a
+    /// certain treatment fill registers. It is worked on in parts that fit into the nearest cache.
     struct Batch {
-        static constexpr int room = 256, part = ProjectionBatch::room;
-        using Row = double[room + 8];  ///< of rows that are a power of two apart, few fit into a cache
+        static constexpr int capacity = 256, part = ProjectionBatch::capacity;
+        using Row = double[capacity + 8];  ///< rows that are a power of two apart would evict each other from the cache
 
         int count = 0;
-        double depth = 0, proximity = 0;    ///< of all [length]
-        bool cores = true;                  ///< ask them; else for nodes with small balls only
-        const Prefetcher* ahead = nullptr;  ///< what else is asked of nodes
-        int first = 0;                      ///< rank of its first node, for that
-        Memory* memory = nullptr;           ///< of the nodes, one after the other
-        bool asked[room];                   ///< else nothing is found
+        double depth = 0, proximity = 0;         ///< of all nodes [length]
+        bool exclusive_regions = true;           ///< use them for all nodes; else for nodes with small radii only
+        const Prefetcher* prefetcher = nullptr;  ///< what else the caller will read of the nodes
+        int first = 0;                           ///< rank of the first node, for the prefetcher
+        Memory* memory = nullptr;                ///< of the nodes, one after the other
+        bool active[capacity];                   ///< false: the node is left out
 
         alignas(64) Row y[3];  ///< in the tool frame [length]
         alignas(64) Row gap;   ///< that decides contact [length]
 
-        int place[room];                         ///< retained, -1: none; then the rest is not filled
+        SubTriangleId id[capacity];              ///< retained; without one, the rows below are not filled
         alignas(64) Row b, c, lift, n[3], x[3];  ///< as in ProjectionBatch
-        Kind kind[room];
-        signed char side[room];
-        Settled settled[room];
-        Path path[room];
+        Kind kind[capacity];
+        signed char side[capacity];
+        Settled settled[capacity];
+        Path path[capacity];
         PathTally tally;  ///< of this batch
 
         Retained retained(int i) const;
         V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
 
-        // Where it works.
-        struct Pair {
-            int column, own, other;  ///< node, and places
-            int side;                ///< of own, to which the other lies over: that opposite to this weight
-            double kappa;            ///< of own
-            double room;             ///< of its weights along the side, over m2
+        // Working storage.
+        struct NeighbourPair {
+            int column;                ///< of the node
+            SubTriangleId own, other;  ///< T and E
+            int side;                  ///< of T, over which E lies: the side opposite to the corner with this number
+            double kappa;              ///< of T
+            double margin;             ///< of the weights along the side, over m2
         };
         struct Candidate {
-            int column, place;  ///< node, and what may take it
-            double apart;       ///< of the node from the box of its segment, at least [length]
+            int column;  ///< of the node
+            SubTriangleId id;
+            double distance;  ///< of the node to the box of the segment, at least [length]
         };
         ProjectionBatch rows, others, partners;
-        FineKappaRows fine;
-        Pair pairs[part], close[room];
+        KappaRows kappa;
+        NeighbourPair pairs[part], close[capacity];
         Candidate candidates[part];
         int pair_count = 0, close_count = 0, candidate_count = 0;
-        static constexpr int most_close =
-            16;  ///< that plain numbers do not tell apart; a node with more is asked alone
+        static constexpr int most_close = 16;  ///< near-equal kappas; a node with more of them is decided alone
         Contender contenders[most_close];
         SegmentData segments[most_close];
     };
-    /// @param window  of this node; its gap and proximity at most Limits::outward, its depth at most Limits::inward
-    Found find(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory) const;
-    /// Asks for up to Batch::room nodes at once; the answers are those of find.
+    /// @param reach  of this node; its gap and proximity at most CaptureLimits::outward, its depth at most inward
+    Found find(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, Memory& memory) const;
+    /// Decides up to Batch::capacity nodes at once; the answers are those of find.
     void find(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, true); }
-    /// The same, but without numbers for nodes that are held: of these b, c, lift, n, x are not filled. Gaps and depth
-    /// must be no smaller than in the calls before.
+    /// The same, but b, c, lift, n, x are not filled for nodes within both radii. Gaps and depth must be no smaller
+    /// than in the calls before.
     void select(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, false); }
-    struct Asked {
+    struct NodeQuery {
         V3 y;
-        ContactReach window;
+        ContactReach reach;
         Memory* memory = nullptr;  ///< nullptr: nothing is remembered
     };
-    void find(const Asked* asked, int count, const ProjectionLimits& rules, Found* found) const;
-    /// The same of all nodes of a batch, without what they remember: the memory is taken away from them.
+    void find(const NodeQuery* query, int count, const ProjectionLimits& rules, Found* found) const;
+    /// The same for all nodes of a batch, without memory: that of the batch is removed.
     void search(Batch& batch, const ProjectionLimits& rules) const;
-    /// The same of one node.
-    Retained search(const V3& y, const ContactReach& window, const ProjectionLimits& rules,
+    /// The same for one node.
+    Retained search(const V3& y, const ContactReach& reach, const ProjectionLimits& rules,
                     bool reach_boxes = true) const;
 
-    const Limits& limits() const { return limits_; }
-    /// Sub-triangles, those of triangles in a mixed tool four times.
-    long places() const { return static_cast<long>(margins_.size()); }
+    const CaptureLimits& limits() const { return limits_; }
+    /// Number of sub-triangles; a triangle in a mixed tool counts four times.
+    long slots() const { return static_cast<long>(margins_.size()); }
     size_t bytes() const;
 
   private:
-    void decide(Batch& batch, const ProjectionLimits& rules, bool projects) const;
+    /// @param project_all  false: not for nodes within both radii
+    void decide(Batch& batch, const ProjectionLimits& rules, bool project_all) const;
     /// What is known of one sub-triangle.
     struct Margins {
-        std::atomic<float> alone;  ///< m(T), and beyond_foreseen more where a plain projection has to be filtered
-        std::atomic<float> pair;   ///< m2(T)
-        float rate;                ///< of its weights; infinite: it is not foreseen
+        std::atomic<float> exclusive;  ///< m(T), plus not_a_priori_bounded where projections have to be filtered
+        std::atomic<float> neighbour;  ///< m2(T)
+        float lipschitz;               ///< L of its weights; infinite: it is not a priori bounded
     };
-    /// Of a tool of triangles those of segments stand side by side.
-    Margins& margins(int place) const { return margins_[static_cast<size_t>(place) >> shift_]; }
-    /// Certified by T's core: found is filled, and true is returned.
-    bool certified(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
-                   Found& found) const;
-    float core(int place) const {
-        const float margin = margins(place).alone.load(std::memory_order_acquire);
-        return margin >= 0 ? margin : new_core(place);
+    /// A tool of triangles only has one entry a segment.
+    Margins& margins(SubTriangleId id) const { return margins_[static_cast<size_t>(id.code()) >> shift_]; }
+    /// Decides by the exclusive region of the last sub-triangle: then `found` is filled, and true is returned.
+    bool by_exclusive_region(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, Memory& memory,
+                             Found& found) const;
+    float exclusive_margin(SubTriangleId id) const {
+        const float margin = margins(id).exclusive.load(std::memory_order_acquire);
+        return margin >= 0 ? margin : new_exclusive_margin(id);
     }
-    float new_core(int place) const;
-    float rate(int place) const { return margins(place).rate; }
-    bool a_priori_bounded(int place) const { return std::isfinite(rate(place)); }
-    /// Known to be one whose projections have to be filtered.
-    bool filtered(const Memory& memory) const { return memory.place >= 0 && !a_priori_bounded(memory.place); }
-    /// How far the rate itself holds [length]
-    static double reach_of(double rate) { return rate < no_rate ? rate_reach / rate : 0.0; }
-    void find_cores(int segment) const;
-    /// E over the side opposite to weight `side` (0: of A, 1: of B, 2: of C), -1: none.
-    int partner(int place, int side) const;
-    int vertex_at(int place, int i) const;
-    bool has_corner(int place, int vertex) const;
-    bool first_at(int place, int i, std::span<const int> segments) const;
-    void ask_all(const V3& y, const ContactReach& window, const ProjectionLimits& rules, Memory& memory,
-                 Found& found) const;
-    void keep_quiet(const V3& y, Memory& memory) const;
-    void keep_quiet(const Batch& batch, int i, double radius) const;
-    /// No larger one is looked for: near a side balls are small, and what is far from there need not be asked.
-    double ball_wanted(const Memory& memory) const;
-    /// Node i, steady in its place, in this column of the rows.
-    void keep_held(Batch& batch, int i, int column) const;
-    /// Within this of the node the place takes it as contact, on the same side; <= 0: not known.
-    double holding_ball(const ProjectionBatch& rows, int column, double depth, int place) const;
-    void ask_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const;
-    LandingLimits landing_limits(double depth, double proximity) const;
-    static void stand_at(ProjectionBatch& rows, int column, const V3& y, double gap);
-    /// Where a node is, and whether the place is foreseen.
-    void ask_at(ProjectionBatch& rows, int column, int place, const V3& y, double gap) const;
-    void land_one(const V3& y, const ContactReach& window, int place, ProjectionBatch& rows) const;
-    void use_plain_magnitudes(const V3& y, const ContactReach& window, Retained& retained) const;
-    /// Nodes of the part that begins at `first` where they were last. @param last  place for each node of the part; -1:
-    /// it does not look   @param open  filled with those that are left   @return how many are left
-    int look_again(Batch& batch, int first, const int* last, const ProjectionLimits& rules, int* open,
-                   bool projects) const;
-    /// All of a part, each in the column of its number.
-    void land_in_place(Batch& batch, int first, int count, const int* last) const;
-    /// These of a part, one column after the other.
-    void land_apart(Batch& batch, int first, const int* nodes, int count, const int* last) const;
-    /// With what weights a place decides alone.
-    double least_weight(const Batch& batch, int i, int place) const;
+    float new_exclusive_margin(SubTriangleId id) const;
+    float lipschitz(SubTriangleId id) const { return margins(id).lipschitz; }
+    bool a_priori_bounded(SubTriangleId id) const { return std::isfinite(lipschitz(id)); }
+    /// Is the last sub-triangle one whose projections have to be filtered?
+    bool needs_filter(const Memory& memory) const { return memory.last.exists() && !a_priori_bounded(memory.last); }
+    /// Distance within which the Lipschitz bound holds [length]
+    static double lipschitz_reach_of(double bound) { return bound < no_lipschitz ? lipschitz_reach / bound : 0.0; }
+    void find_exclusive_regions(int segment) const;
+    /// E over the side opposite to corner `side` (0: A, 1: B, 2: C); none where there is none.
+    SubTriangleId neighbour_over(SubTriangleId id, int side) const;
+    int vertex_at(SubTriangleId id, int corner) const;
+    /// Which corner of a sub-triangle a vertex is: 0: A, 1: B, 2: C, -1: none.
+    int corner_at(SubTriangleId id, int vertex) const;
+    bool is_lowest_at(SubTriangleId id, int corner, std::span<const int> segments) const;
+    void search_tree(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, Memory& memory,
+                     Found& found) const;
+    void keep_separated(const V3& y, Memory& memory) const;
+    void keep_separated(const Batch& batch, int i, double radius) const;
+    /// No larger radius is looked for. Near a side radii are small, and rivals far away need not be projected.
+    double wanted_radius(const Memory& memory) const;
+    /// For node i within the ranking safe radius, in this column of the rows.
+    void keep_contact_safe(Batch& batch, int i, int column) const;
+    /// Within this distance of the node the sub-triangle takes it in contact, on the same side; <= 0: not known.
+    double contact_safe_radius(const ProjectionBatch& rows, int column, double depth, SubTriangleId id) const;
+    void decide_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const;
+    BatchLimits batch_limits(double depth, double proximity) const;
+    static void put_node(ProjectionBatch& rows, int column, const V3& y, double gap);
+    /// A node, and whether the sub-triangle is a priori bounded.
+    void put_query(ProjectionBatch& rows, int column, SubTriangleId id, const V3& y, double gap) const;
+    void project_one(const V3& y, const ContactReach& reach, SubTriangleId id, ProjectionBatch& rows) const;
+    void use_double_magnitudes(const V3& y, const ContactReach& reach, Retained& retained) const;
+    /// Projects the nodes of the part that begins at `first` on their last sub-triangles.
+    /// @param last  for each node of the part; none: it is not projected
+    /// @param open  filled with the nodes that are left   @return how many are left
+    int project_on_last(Batch& batch, int first, const SubTriangleId* last, const ProjectionLimits& rules, int* open,
+                        bool project_all) const;
+    /// All nodes of a part, each in the column of its number.
+    void project_in_place(Batch& batch, int first, int count, const SubTriangleId* last) const;
+    /// These nodes of a part, in columns one after the other.
+    void project_gathered(Batch& batch, int first, const int* nodes, int count, const SubTriangleId* last) const;
+    /// The least weight with which the projection on this sub-triangle decides.
+    double deciding_weight(const Batch& batch, int i, SubTriangleId id) const;
     /// The impact of node i from this column.
-    static void fill(Batch& batch, int i, const ProjectionBatch& rows, int column);
+    static void copy_result(Batch& batch, int i, const ProjectionBatch& rows, int column);
     /// The numbers of node i into this column of the rows, which hold the others of its projection.
-    static void complete(Batch& batch, int i, int column);
-    /// What nodes remember: those that are quiet are, and others have a place to look. @param last, open  likewise
-    int recall(Batch& batch, int first, int* last, int* open, bool projects) const;
-    /// Does node i, in this column of the rows, lie exactly above a corner where its place leads? Then it is decided.
-    bool over_corner(Batch& batch, int i, int column) const;
-    /// Proven: the two of a pair that both take the node are tied.
-    bool over_shared_side(const Batch& batch, const Batch::Pair& pair) const;
-    /// Is node i, in this column of the rows, one of a pair? Then it is put among them.
-    bool pair_up(Batch& batch, int i, int column) const;
-    /// Decides the pairs that kappa in double tells apart; the others are put among the close ones.
-    void decide_pairs(Batch& batch, const ProjectionLimits& rules) const;
-    /// 100 bits for them.
-    void decide_close(Batch& batch, const ProjectionLimits& rules) const;
-    /// Does a sub-triangle take a node as contact? Known only where the bounds are foreseen, and away from every limit
-    /// by more than the filter needs.
-    enum class Standing {
+    static void complete_rows(Batch& batch, int i, int column);
+    /// Reads what nodes remember: separated ones are done, others have a sub-triangle to project on.
+    /// @param last, open  likewise
+    int recall(Batch& batch, int first, SubTriangleId* last, int* open, bool project_all) const;
+    /// Is node i, in this column of the rows, exactly above a corner where its sub-triangle leads? Then it is decided.
+    bool above_leading_corner(Batch& batch, int i, int column) const;
+    /// Proven: the two of a pair, which both take the node, are tied.
+    bool over_shared_side(const Batch& batch, const Batch::NeighbourPair& pair) const;
+    /// Is node i, in this column of the rows, in an edge neighbour zone? Then it is added to the pairs.
+    bool add_neighbour_pair(Batch& batch, int i, int column) const;
+    /// Decides the pairs that kappa in double separates; the others become close pairs.
+    void decide_neighbour_pairs(Batch& batch, const ProjectionLimits& rules) const;
+    /// Double-double for close pairs.
+    void decide_close_pairs(Batch& batch, const ProjectionLimits& rules) const;
+    /// Does a sub-triangle take a node in contact? Known only within the a priori bounds, and away from every limit by
+    /// more than the filter needs.
+    enum class State {
         unknown,
         taken,
-        lands,    ///< if it is near enough, which is not known
-        beyond,   ///< it would if it were nearer
-        rejected  ///< not here, however near
+        distance_unsure,  ///< if it is near enough, which is not known
+        too_far,          ///< it would if it were nearer
+        rejected          ///< not here, at whatever distance
     };
-    Standing standing(const ProjectionBatch& rows, int column, double depth, int place) const;
-    /// The same for a place that ask_at put there, which mostly the rows tell.
-    Standing standing_in_rows(const ProjectionBatch& rows, int column, double depth, int place) const;
-    double clipped_distance(const ProjectionBatch& rows, int column, int place) const;
-    /// Within this of the node the sub-triangle, whose rate is given, cannot take it, or only with a larger kappa than
-    /// `least`, whose rate is `least_rate`; <= 0: not known.
-    double ball(const ProjectionBatch& rows, int column, Standing standing, double rate, double least,
-                double least_rate) const;
-    /// Asks all that may take the nodes side by side; those that are left are asked one after the other.
-    /// @param remembers  balls are wanted
-    void ask_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules, bool remembers) const;
-    /// Lands what candidates there are, and decides the nodes whose candidates are there.
+    State state_of(const ProjectionBatch& rows, int column, double depth, SubTriangleId id) const;
+    /// The same after put_query; mostly the marks of the rows suffice.
+    State state_in_rows(const ProjectionBatch& rows, int column, double depth, SubTriangleId id) const;
+    double clipped_distance(const ProjectionBatch& rows, int column, SubTriangleId id) const;
+    /// The contribution of a rival to the ranking safe radius: within it the rival cannot take the node, or only with a
+    /// larger kappa than `least`; <= 0: not known.
+    /// @param bound, own_bound  L of the rival and of the retained one   @param least  kappa of the retained one
+    double rival_radius(const ProjectionBatch& rows, int column, State state, double bound, double least,
+                        double own_bound) const;
+    /// Projects the nodes on all that may take them, side by side; nodes that are left are decided one by one.
+    /// @param remembers  radii are needed
+    void search_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules, bool remembers) const;
+    /// Projects the candidates that were collected, and decides their nodes.
     void decide_candidates(Batch& batch, const ProjectionLimits& rules, bool remembers) const;
     bool decide_candidates(Batch& batch, int first, int last, const ProjectionLimits& rules, bool remembers) const;
-    int least_fine_kappa(Batch& batch, const int* columns, int count) const;
-    /// What kappa of project_double_double may be off by on this place, which is foreseen.
-    double fine_bound(int place) const;
-    Retained tell_apart(Batch& batch, int i, const int* columns, int count, const ProjectionLimits& rules) const;
-    Found decide_pair(const Batch& batch, const Batch::Pair& pair, const ProjectionLimits& rules) const;
-    void take(Batch& batch, int i, int place, const ProjectionBatch& rows, int column) const;
-    void put(Batch& batch, int i, const Found& found) const;
+    int least_kappa_double_double(Batch& batch, const int* columns, int count) const;
+    /// Error bound of kappa of project_double_double on this sub-triangle, which is a priori bounded.
+    double double_double_bound(SubTriangleId id) const;
+    Retained decide_close_candidates(Batch& batch, int i, const int* columns, int count,
+                                     const ProjectionLimits& rules) const;
+    Found decide_pair_alone(const Batch& batch, const Batch::NeighbourPair& pair, const ProjectionLimits& rules) const;
+    void take(Batch& batch, int i, SubTriangleId id, const ProjectionBatch& rows, int column) const;
+    void put_found(Batch& batch, int i, const Found& found) const;
     double clearance(const V3& y) const;
 
     const Tool& tool_;
-    Limits limits_;
+    CaptureLimits limits_;
     double growth_;  ///< max(outward, inward) [length]
     ReachBoxRule reach_box_;
     BoxTree tree_;
-    double usual_clearance_;                ///< clearances are not looked for beyond it [length]
-    double usual_ball_;                     ///< balls of steady nodes likewise [length]
-    double small_ball_;                     ///< nodes with smaller ones ask for cores and pairs [length]
-    int shift_ = 0;                         ///< 2 where there are triangles only, and one place for a segment
-    mutable std::vector<Margins> margins_;  ///< of places; alone < 0: not known yet
+    double usual_clearance_;  ///< no larger clearance is looked for [length]
+    double usual_radius_;     ///< no larger ranking safe radius is looked for [length]
+    double small_radius_;     ///< nodes with smaller ones use exclusive regions and neighbour zones [length]
+    int shift_ = 0;           ///< 2 where there are triangles only, with one entry a segment
+    mutable std::vector<Margins> margins_;  ///< of sub-triangles; exclusive < 0: not known yet
     std::vector<std::uint8_t> kappa_bits_;  ///< @see LipschitzBounds
-    /// Four for a segment, relaxed but published by Margins::alone. Quad: over the side of sub-triangle k that is a
+    /// Four a segment, relaxed but published by Margins::exclusive. Quad: over the side of sub-triangle k that is a
     /// side of the segment; triangle: over the sides opposite to A, B, C.
-    mutable std::vector<std::atomic<int>> over_;
-    /// Four for a segment, likewise: bit i where the sub-triangle leads at the corner of weight i.
+    mutable std::vector<std::atomic<SubTriangleId>> neighbour_;
+    /// Four a segment, likewise: bit i where the sub-triangle leads at corner i.
     mutable std::vector<std::atomic<unsigned char>> leads_;
 };
 

@@ -35,9 +35,9 @@ TYPE21_INLINE void extend(const L (&x)[3], const L (&rise)[3], double share, dou
     }
 }
 
-/// All quads, or all triangles: the same steps as prism() and Prism::box().
+/// All quads, or all triangles: the same steps as capture_volume() and CaptureVolume::box().
 template <int W, bool triangles>
-TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
+TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const CaptureLimits& limits) {
     using L = Lanes<W>;
     using V = VectorLanes<L>;
     V x[5], n[5], local[5];
@@ -98,8 +98,9 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
             root_of(square, steep[i]);
             trusted += slope[i] > 0.05 * steep[i] ? zero + 1.0 : zero;
         }
-        const WholeLanes<L> doubted = (WholeLanes<L>)(trusted - 4.0) >> 63;
-        // Leaning normals: the sub-triangle may take nodes in its plane only; the wider of prism()'s answers is good.
+        const IntegerLanes<L> doubted = (IntegerLanes<L>)(trusted - 4.0) >> 63;
+        // Leaning normals: the sub-triangle may take nodes in its plane only; the wider of capture_volume()'s answers
+        // is good.
         const auto axis = [&](int a, const L& xa, const L& xb, const L& xc, const L& na, const L& nb, const L& nc)
             __attribute__((always_inline)) {
             const L corner[3] = {xa, xb, xc};
@@ -130,23 +131,23 @@ TYPE21_INLINE void boxes_in(SegmentRows& rows, int at, const Limits& limits) {
 }
 
 template <int W>
-TYPE21_INLINE void boxes_all(SegmentRows& rows, const Limits& limits, bool triangles) {
+TYPE21_INLINE void boxes_all(SegmentRows& rows, const CaptureLimits& limits, bool triangles) {
     for (int at = 0; at < group; at += W)
         triangles ? boxes_in<W, true>(rows, at, limits) : boxes_in<W, false>(rows, at, limits);
 }
-TYPE21_AVX512 void boxes_eight(SegmentRows& rows, const Limits& limits, bool triangles) {
+TYPE21_AVX512 void boxes_eight(SegmentRows& rows, const CaptureLimits& limits, bool triangles) {
     boxes_all<8>(rows, limits, triangles);
 }
-TYPE21_AVX2 void boxes_four(SegmentRows& rows, const Limits& limits, bool triangles) {
+TYPE21_AVX2 void boxes_four(SegmentRows& rows, const CaptureLimits& limits, bool triangles) {
     boxes_all<4>(rows, limits, triangles);
 }
-void boxes_two(SegmentRows& rows, const Limits& limits, bool triangles) {
+void boxes_two(SegmentRows& rows, const CaptureLimits& limits, bool triangles) {
     boxes_all<2>(rows, limits, triangles);
 }
 
 }  // namespace
 
-std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, SimdWidth machine) {
+std::vector<Box> segment_boxes(const Tool& tool, const CaptureLimits& limits, SimdWidth machine) {
     std::vector<Box> boxes(static_cast<size_t>(tool.size()));
     const auto compute = compiled_for(machine, boxes_eight, boxes_four, boxes_two);
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
@@ -169,7 +170,7 @@ std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, SimdWidth
                 Box& box = boxes[static_cast<size_t>(s)];
                 const int i = s - first;
                 if (!triangles && tool.is_triangle(s)) {
-                    box = prism(tool.segment(s), 1, limits).box();
+                    box = capture_volume(tool.segment(s), 1, limits).box();
                 } else {
                     box.low = {rows.low[0][i], rows.low[1][i], rows.low[2][i]};
                     box.high = {rows.high[0][i], rows.high[1][i], rows.high[2][i]};

@@ -8,8 +8,8 @@
 
 namespace type21::optimized {
 
-/// A box for each segment that holds the prisms of its sub-triangles (Prism::box, but for rounding far below its
-/// slack).
-std::vector<Box> segment_boxes(const Tool& tool, const Limits& limits, SimdWidth machine = this_machine());
+/// A box for each segment that holds the capture volumes of its sub-triangles (CaptureVolume::box, but for rounding far
+/// below its slack).
+std::vector<Box> segment_boxes(const Tool& tool, const CaptureLimits& limits, SimdWidth machine = this_machine());
 
 }  // namespace type21::optimized

@@ -37,13 +37,13 @@ double positive_along(const Corners& at, size_t i, double below) {
 
 }  // namespace
 
-SeparatingLines outer_lines(const CaptureVolume& p) {
+SeparatingLines separating_lines(const CaptureVolume& p) {
     SeparatingLines lines;
     lines.slack = p.slack;
     const auto put = [&](const V3& direction, double bound) {
         lines.line[static_cast<size_t>(lines.count++)] = {direction, bound};
     };
-    if (p.grown) {
+    if (p.distance_only) {
         const Box box = p.box();
         put({1, 0, 0}, box.high.x + p.slack);
         put({0, 1, 0}, box.high.y + p.slack);
@@ -71,8 +71,8 @@ SeparatingLines outer_lines(const CaptureVolume& p) {
 }
 
 ExclusiveMargins::ExclusiveMargins(const CaptureVolume& own)
-    : grown_(own.grown), below_(own.margin), slack_(own.slack) {
-    if (grown_) margin_ = {1, 1, 1, 1};
+    : distance_only_(own.distance_only), below_(own.margin), slack_(own.slack) {
+    if (distance_only_) margin_ = {1, 1, 1, 1};
     for (size_t c = 0; c < 3; ++c) {
         corner_[0][c] = own.corner[c] + own.rise[c] * own.low;
         corner_[1][c] = own.corner[c] + own.rise[c] * own.high;
@@ -80,27 +80,27 @@ ExclusiveMargins::ExclusiveMargins(const CaptureVolume& own)
     }
 }
 
-/// A line may be longer than a unit vector; the slack of a point is, too.
+/// The direction may be longer than a unit vector, and the slack of a point scales with it.
 double ExclusiveMargins::bound_of(const SeparatingLines::Line& line) const {
     return line.bound + slack_ * (std::abs(line.direction.x) + std::abs(line.direction.y) + std::abs(line.direction.z));
 }
 
-void ExclusiveMargins::keep_from(const SeparatingLines& other, int side) {
-    if (grown_) return;
+void ExclusiveMargins::exclude(const SeparatingLines& rival, int side) {
+    if (distance_only_) return;
     std::array<double, 4> least{1, 1, 1, 1};
     if (side >= 0) least[static_cast<size_t>(side)] = 0;
-    // The line that is farthest from the middle of this one first: mostly no other is asked for.
+    // The line that is farthest from the middle of T first; mostly no other is needed.
     std::array<double, 6> apart;
-    for (int l = 0; l < other.count; ++l) {
-        const SeparatingLines::Line& line = other.line[static_cast<size_t>(l)];
+    for (int l = 0; l < rival.count; ++l) {
+        const SeparatingLines::Line& line = rival.line[static_cast<size_t>(l)];
         apart[static_cast<size_t>(l)] = dot(line.direction, middle_) - line.bound;
     }
-    for (int asked = 0; asked < other.count; ++asked) {
+    for (int tried = 0; tried < rival.count; ++tried) {
         const auto l =
-            static_cast<size_t>(std::max_element(apart.begin(), apart.begin() + other.count) - apart.begin());
-        if (!(apart[l] > 0)) break;  // it holds the middle: no margin is enough
+            static_cast<size_t>(std::max_element(apart.begin(), apart.begin() + rival.count) - apart.begin());
+        if (!(apart[l] > 0)) break;  // the middle is not beyond it: no margin is large enough
         apart[l] = -1;
-        const SeparatingLines::Line& line = other.line[l];
+        const SeparatingLines::Line& line = rival.line[l];
         const double bound = bound_of(line);
         std::array<Corners, 2> at;
         double lowest = HUGE_VAL;
@@ -111,7 +111,7 @@ void ExclusiveMargins::keep_from(const SeparatingLines& other, int side) {
             }
         }
         if (lowest > 0 && below_ * (at[0][0] + at[0][1] + at[0][2] + at[1][0] + at[1][1] + at[1][2]) < lowest)
-            return;  // apart as it is, drawn out by `below_`, too
+            return;  // all of T is beyond the line, even drawn out by `below_`
         bool done = true;
         for (size_t q = 0; q < 4; ++q) {
             if (least[q] <= margin_[q]) continue;
@@ -120,18 +120,18 @@ void ExclusiveMargins::keep_from(const SeparatingLines& other, int side) {
             least[q] = std::min(least[q], one);
             done = done && least[q] <= margin_[q];
         }
-        if (done) break;  // this one asks for no more than those before it
+        if (done) break;  // this rival needs no larger margin than those before it
     }
     for (size_t q = 0; q < 4; ++q)
         margin_[q] = std::max(margin_[q], least[q]);
 }
 
-bool ExclusiveMargins::apart_at(const SeparatingLines& other, int corner) const {
-    if (grown_) return false;
+bool ExclusiveMargins::apart_at(const SeparatingLines& rival, int corner) const {
+    if (distance_only_) return false;
     const auto i = static_cast<size_t>(corner);
     const double rest = 1 - lead_weight + below_;
-    for (int l = 0; l < other.count; ++l) {
-        const SeparatingLines::Line& line = other.line[static_cast<size_t>(l)];
+    for (int l = 0; l < rival.count; ++l) {
+        const SeparatingLines::Line& line = rival.line[static_cast<size_t>(l)];
         const double bound = bound_of(line);
         double lowest = HUGE_VAL;
         for (size_t h = 0; h < 2; ++h) {

@@ -11,7 +11,7 @@
 
 namespace type21::optimized {
 
-/// The main surface with y = x - x_G at time 0 (formulation section 1). It never deforms.
+/// The main surface with y = x - x_G at time 0 (Formulation 1, step 1). It never deforms.
 /// @manual field surf_IDm, IDrby
 class Tool {
   public:
@@ -28,7 +28,7 @@ class Tool {
             s.node[j] = vertex.position;
             s.normal[j] = vertex.normal;
         }
-        s.triangle = corner[2] == corner[3];
+        s.is_triangle = corner[2] == corner[3];
         return s;
     }
     bool is_triangle(int rank) const {
@@ -46,7 +46,7 @@ class Tool {
     const V3& normal(int rank, int j) const { return vertex(rank, j).normal; }
     /// Position and normal of a corner, six numbers in a row.
     const double* numbers(int rank, int j) const { return &vertex(rank, j).position.x; }
-    /// Hints to the processor: what a segment is will be asked soon; then where its corners are.
+    /// Prefetches the indices of a segment; then its vertices.
     void prefetch_segment(int rank) const {
         __builtin_prefetch(&corner_[static_cast<size_t>(rank)]);
         __builtin_prefetch(&extent_[static_cast<size_t>(rank)]);
@@ -61,7 +61,7 @@ class Tool {
     }
 
   private:
-    /// A line of the cache.
+    /// One cache line.
     struct alignas(64) Vertex {
         V3 position;  ///< [length]
         V3 normal;    ///< [-]
@@ -79,7 +79,7 @@ class Tool {
 
 /// Nodal normals: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where the sum is zero.
 /// The sums run in the order of the segments and of the sub-triangles: that order is part of what a decision is exact
-/// for. Source: formulation section 1.
+/// for. Source: Formulation 1, step 4.
 std::vector<V3> nodal_normals(const std::vector<V3>& position, const std::vector<std::array<int, 4>>& corner);
 
 }  // namespace type21::optimized

@@ -20,8 +20,8 @@ struct Rows {
     alignas(64) double edge[2][3][group];    ///< B - A, C - A [length]
     alignas(64) double normal[3][3][group];  ///< n_A, n_B, n_C [-]
     alignas(64) double extent[group], normal_size[group];
-    alignas(64) double rate[group], kappa_bound[group];  ///< found; the latter where it is foreseen
-    int place[group];
+    alignas(64) double lipschitz[group], kappa_bound[group];  ///< results; the latter where it is a priori bounded
+    SubTriangleId id[group];
 };
 
 template <class L>
@@ -40,19 +40,19 @@ TYPE21_INLINE void length_of(const VectorLanes<L>& v, L& length) {
     root_of(square, length);
 }
 
-/// What is the same for the bounds and the rate.
+/// The input of both kinds of bounds.
 template <class L>
-struct Piece {
+struct SubTriangleLanes {
     VectorLanes<L> e1, e2, area, n[3];
     L d2, length, slope[3], least_slope, most_slope;  ///< <n, N>
 };
 
-/// Line by line the bounds of filter(), with the largest values that their variables can have: S is foreseen_size, |H|
+/// Line by line the bounds of filter(), with the largest values that their variables can have: S is a_priori_size, |H|
 /// is growth |N|, |p| and |q| are 4, W is 1/2, weights of step 2 lie between -0.01 and 1.02. `more` stands for what
 /// filter() calls second order, and for the rounding of the bounds themselves.
 /// Conditions are counted: GCC takes apart what joins several comparisons.
 template <class L>
-TYPE21_INLINE void a_priori_bounded(const Piece<L>& t, const L& extent, const L& nm, double growth, L& met,
+TYPE21_INLINE void a_priori_bounded(const SubTriangleLanes<L>& t, const L& extent, const L& nm, double growth, L& met,
                                     L& kappa_bound) {
     constexpr double e = 0x1p-53, more = 1.05, ordinary = 1e30;
     const L zero = extent - extent, one = zero + 1.0;
@@ -94,10 +94,10 @@ TYPE21_INLINE void a_priori_bounded(const Piece<L>& t, const L& extent, const L&
     const L weight_error = (4.1 * z * coordinate_bound + 8 * e * z * z) * more;
     const L db = 4.5 * weight_error / (0.5 - 4.0 * weight_error) + 4 * e;
     const L interpolated_bound = 3.1 * db * t.most_slope + 15.0 * eta * nm * area_size;
-    met += coordinate_bound < foreseen_share ? one : zero;
-    met += eta * w < foreseen_share ? one : zero;
+    met += coordinate_bound < a_priori_share ? one : zero;
+    met += eta * w < a_priori_share ? one : zero;
     met += weight_error < 0.01 ? one : zero;
-    met += db < 0.5 * foreseen_share ? one : zero;
+    met += db < 0.5 * a_priori_share ? one : zero;
     met += interpolated_bound < 1e-3 * t.least_slope ? one : zero;
     // With weights >= -0.01 in step 2, up to db, at most two of them are negative, and the third is at most 1.02.
     const L slope = 0.99 * (1.02 * t.least_slope - 0.02 * t.most_slope);
@@ -111,15 +111,15 @@ TYPE21_INLINE void a_priori_bounded(const Piece<L>& t, const L& extent, const L&
     // delta = lift |n|, |n| <= 2 nm, its error 3.3 db nm and rounding.
     const L distance_bound = (lift_bound * 2.0 * nm + lift * nm * (6.0 * db + 20 * e)) * more;
     kappa_bound = 4.1 * q_bound + 12.0 * e;
-    met += 3.0 * q_bound < foreseen_share ? one : zero;
-    met += distance_bound < foreseen_share * s ? one : zero;
-    met += height_bound < foreseen_share * s * area_size ? one : zero;
+    met += 3.0 * q_bound < a_priori_share ? one : zero;
+    met += distance_bound < a_priori_share * s ? one : zero;
+    met += height_bound < a_priori_share * s * area_size ? one : zero;
 }
-constexpr double all_foreseen = 15;  ///< of the conditions
+constexpr double all_conditions = 15;  ///< of `met`
 
 template <class L>
-TYPE21_INLINE void rate_of(const Piece<L>& t, const L& extent, double growth, L& rate) {
-    constexpr double weights = 1 + 4 * rate_weights;  ///< sum of their magnitudes
+TYPE21_INLINE void lipschitz_of(const SubTriangleLanes<L>& t, const L& extent, double growth, L& bound) {
+    constexpr double weights = 1 + 4 * lipschitz_weights;  ///< sum of their magnitudes
     const L zero = extent - extent, one = zero + 1.0;
     VectorLanes<L> axis = t.area, rise[3], e3, way;
     scale(axis, 1.0 / t.length);
@@ -131,7 +131,8 @@ TYPE21_INLINE void rate_of(const Piece<L>& t, const L& extent, double growth, L&
     length_of(e3, other);
     most_of(other, longest);
     const L width = t.length / longest;
-    // As in prism(): the plane is trusted, and no normal leans too far. Slopes are those of N, nu times its length.
+    // As in capture_volume(): the plane is trusted, and no normal leans too far. Slopes are those of N, nu times its
+    // length.
     L met = 64 * 0x1p-53 * 4.0 * extent * extent < 1e-11 * t.length ? one : zero;
     for (int i = 0; i < 3; ++i) {
         length_of(t.n[i], other);
@@ -147,8 +148,8 @@ TYPE21_INLINE void rate_of(const Piece<L>& t, const L& extent, double growth, L&
         length_of(way, other);
         most_of(other, apart);
     }
-    const L height = growth + rate_reach * width, lifted = width - height * apart;
-    const L sum = (1 + 2 * rate_weights) * t.least_slope - 2 * rate_weights * t.most_slope;
+    const L height = growth + lipschitz_reach * width, lifted = width - height * apart;
+    const L sum = (1 + 2 * lipschitz_weights) * t.least_slope - 2 * lipschitz_weights * t.most_slope;
     met += lifted > 0.05 * width ? one : zero;
     met += sum > 0.05 * t.most_slope ? one : zero;
     const L share = weights * t.most_slope / sum;
@@ -156,16 +157,16 @@ TYPE21_INLINE void rate_of(const Piece<L>& t, const L& extent, double growth, L&
     root_of(1.0 + weights * lean * (weights * lean), g);
     g /= lifted;
     root_of(1.0 + share * lean * (share * lean), longer);
-    rate = (longer + height * 2.0 * g * share * share * apart) / width;
-    most_of(g, rate);
-    rate = met == 6.0 ? rate * (1 + 1e-5) : zero + no_rate;
+    bound = (longer + height * 2.0 * g * share * share * apart) / width;
+    most_of(g, bound);
+    bound = met == 6.0 ? bound * (1 + 1e-5) : zero + no_lipschitz;
 }
 
 template <int W>
-TYPE21_INLINE void rates_in(Rows& rows, int at, double growth) {
+TYPE21_INLINE void bounds_in(Rows& rows, int at, double growth) {
     using L = Lanes<W>;
-    Piece<L> t;
-    L extent, normal_size, met, rate, kappa_bound, other;
+    SubTriangleLanes<L> t;
+    L extent, normal_size, met, lipschitz, kappa_bound, other;
     load(rows.edge[0][0] + at, rows.edge[0][1] + at, rows.edge[0][2] + at, t.e1);
     load(rows.edge[1][0] + at, rows.edge[1][1] + at, rows.edge[1][2] + at, t.e2);
     load(rows.extent + at, extent);
@@ -185,29 +186,29 @@ TYPE21_INLINE void rates_in(Rows& rows, int at, double growth) {
         most_of(other, t.most_slope);
     }
     a_priori_bounded(t, extent, normal_size, growth, met, kappa_bound);
-    rate_of(t, extent, growth, rate);
+    lipschitz_of(t, extent, growth, lipschitz);
     const L zero = extent - extent;
-    store(met == all_foreseen ? rate : zero + HUGE_VAL, rows.rate + at);
+    store(met == all_conditions ? lipschitz : zero + HUGE_VAL, rows.lipschitz + at);
     store(kappa_bound, rows.kappa_bound + at);
 }
 
 template <int W>
-TYPE21_INLINE void rates_all(Rows& rows, double growth) {
+TYPE21_INLINE void bounds_all(Rows& rows, double growth) {
     for (int at = 0; at < group; at += W)
-        rates_in<W>(rows, at, growth);
+        bounds_in<W>(rows, at, growth);
 }
-TYPE21_AVX512 void rates_eight(Rows& rows, double growth) {
-    rates_all<8>(rows, growth);
+TYPE21_AVX512 void bounds_eight(Rows& rows, double growth) {
+    bounds_all<8>(rows, growth);
 }
-TYPE21_AVX2 void rates_four(Rows& rows, double growth) {
-    rates_all<4>(rows, growth);
+TYPE21_AVX2 void bounds_four(Rows& rows, double growth) {
+    bounds_all<4>(rows, growth);
 }
-void rates_two(Rows& rows, double growth) {
-    rates_all<2>(rows, growth);
+void bounds_two(Rows& rows, double growth) {
+    bounds_all<2>(rows, growth);
 }
 
 void put(Rows& rows, int column, const SegmentData& segment, const LocalSegment& local, int k) {
-    const PieceCorners corner = piece_corners(segment.triangle, k);
+    const SubTriangleCorners corner = sub_triangle_corners(segment.is_triangle, k);
     const V3 e[2] = {local.corner[static_cast<size_t>(corner.b)] - local.center,
                      local.corner[static_cast<size_t>(corner.c)] - local.center};
     const V3 n[3] = {local.center_normal, segment.normal[static_cast<size_t>(corner.b)],
@@ -225,19 +226,19 @@ void put(Rows& rows, int column, const SegmentData& segment, const LocalSegment&
 
 LipschitzBounds lipschitz_bounds(const Tool& tool, double growth, SimdWidth machine) {
     LipschitzBounds bounds;
-    bounds.rate.assign(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
+    bounds.lipschitz.assign(4 * static_cast<size_t>(tool.size()), HUGE_VALF);
     bounds.kappa_bits.assign(static_cast<size_t>(tool.size()), 255);
-    const auto compute = compiled_for(machine, rates_eight, rates_four, rates_two);
+    const auto compute = compiled_for(machine, bounds_eight, bounds_four, bounds_two);
     tbb::parallel_for(tbb::blocked_range<int>(0, tool.size(), 1024), [&](const tbb::blocked_range<int>& range) {
         Rows rows{};
         int column = 0;
         const auto flush = [&] {
             compute(rows, growth);
             for (int c = 0; c < column; ++c) {
-                bounds.rate[static_cast<size_t>(rows.place[c])] =
-                    std::nextafter(static_cast<float>(rows.rate[c]), HUGE_VALF);
-                if (!std::isfinite(rows.rate[c])) continue;
-                std::uint8_t& bits = bounds.kappa_bits[static_cast<size_t>(segment_of(rows.place[c]))];
+                bounds.lipschitz[static_cast<size_t>(rows.id[c].code())] =
+                    std::nextafter(static_cast<float>(rows.lipschitz[c]), HUGE_VALF);
+                if (!std::isfinite(rows.lipschitz[c])) continue;
+                std::uint8_t& bits = bounds.kappa_bits[static_cast<size_t>(rows.id[c].segment())];
                 bits = static_cast<std::uint8_t>(std::clamp(-std::ilogb(rows.kappa_bound[c]) - 1, 0, int(bits)));
             }
             column = 0;
@@ -245,10 +246,10 @@ LipschitzBounds lipschitz_bounds(const Tool& tool, double growth, SimdWidth mach
         for (int s = range.begin(); s < range.end(); ++s) {
             const SegmentData segment = tool.segment(s);
             const LocalSegment local = local_segment(segment);
-            for (int k = 1; k <= segment.pieces(); ++k) {
+            for (int k = 1; k <= segment.sub_triangles(); ++k) {
                 put(rows, column, segment, local, k);
                 rows.extent[column] = tool.extent(s);
-                rows.place[column++] = place_of(s, k);
+                rows.id[column++] = {s, k};
                 if (column == group) flush();
             }
         }

@@ -5,18 +5,19 @@
 
 namespace type21::optimized {
 
-/// W doubles. Operators act lane by lane. A comparison stands in the choice that it decides, p < q ? r : s: GCC takes
-/// one apart that is a variable, or that two choices share; masks that are needed more than once are made of bits.
+/// W doubles. Operators act lane by lane. A comparison is written inside the choice that it decides, p < q ? r : s. GCC
+/// splits a comparison that is a variable, or that two choices share. Masks that are needed more than once are made of
+/// bits.
 template <int W>
 struct LanesOf {
     typedef double Real __attribute__((vector_size(W * sizeof(double))));
-    typedef long long Whole __attribute__((vector_size(W * sizeof(double))));
+    typedef long long Integer __attribute__((vector_size(W * sizeof(double))));
 };
 template <int W>
 using Lanes = typename LanesOf<W>::Real;
-/// As many whole numbers of 64 bits.
+/// As many integers of 64 bits.
 template <class L>
-using WholeLanes = typename LanesOf<sizeof(L) / sizeof(double)>::Whole;
+using IntegerLanes = typename LanesOf<sizeof(L) / sizeof(double)>::Integer;
 
 template <class L, class Number>
 TYPE21_INLINE void load(const Number* from, L& to) {
@@ -39,7 +40,7 @@ TYPE21_INLINE void root_of(const L& v, L& r) {
 }
 template <class L>
 TYPE21_INLINE void magnitude_of(const L& v, L& r) {
-    r = (L)((WholeLanes<L>)v & 0x7fffffffffffffff);
+    r = (L)((IntegerLanes<L>)v & 0x7fffffffffffffff);
 }
 template <class L>
 TYPE21_INLINE void least_of(const L& p, L& r) {
@@ -50,7 +51,7 @@ TYPE21_INLINE void most_of(const L& p, L& r) {
     r = p > r ? p : r;
 }
 
-/// A vector in each lane. Results are last arguments: a register wider than the baseline cannot be returned.
+/// A vector in each lane. Results are last arguments, since a register wider than the baseline cannot be returned.
 template <class L>
 struct VectorLanes {
     L x, y, z;
@@ -101,7 +102,7 @@ TYPE21_INLINE void choose(const I& mask, const VectorLanes<L>& p, VectorLanes<L>
     choose(mask, p.z, r.z);
 }
 
-/// M v; with `transposed` the other way round.
+/// M v; M^T v with `transposed`.
 template <bool transposed, class L>
 TYPE21_INLINE void turn(const double (&m)[3][3], const VectorLanes<L>& v, VectorLanes<L>& r) {
     const auto entry = [&](int i, int j) __attribute__((always_inline)) {

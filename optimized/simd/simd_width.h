@@ -1,4 +1,4 @@
-/// @file Code for the registers of several machines; the machine is asked when the program runs.
+/// @file Code for the registers of several machines. The choice is made when the program runs.
 #pragma once
 
 namespace type21::optimized {
@@ -18,18 +18,18 @@ namespace type21::optimized {
 /// operation is that of one double and nothing is contracted: each gives the same bits.
 enum class SimdWidth { two = 2, four = 4, eight = 8 };
 
-/// The widest that this processor has; while a SimdWidthCap lives, that.
+/// The widest that this processor has, or less while a SimdWidthCap exists.
 SimdWidth this_machine();
-/// Has it a fused multiply-add? Used for exact products only, which are the same with and without it.
+/// Does the processor have a fused multiply-add? It is used for exact products only, which are the same without it.
 bool has_fma();
 
-/// Of one loop that was compiled for each machine, that for this one.
+/// Of a loop that was compiled for each width, the one for this machine.
 template <class Function>
 Function* compiled_for(SimdWidth machine, Function* eight, Function* four, Function* two) {
     return machine == SimdWidth::eight ? eight : (machine == SimdWidth::four ? four : two);
 }
 
-/// Registers no wider than these, so that one processor can show what others compute. Not while others compute.
+/// Caps the width, so that one processor can show what others compute. Not to be used while other threads compute.
 class SimdWidthCap {
   public:
     explicit SimdWidthCap(SimdWidth machine);

@@ -80,7 +80,7 @@ struct TwoLanes {
 
 template <class L, bool fused>
 TYPE21_INLINE TwoLanes<L, fused> magnitude(const TwoLanes<L, fused>& v) {
-    const auto below = (WholeLanes<L>)v.high >> 63;
+    const auto below = (IntegerLanes<L>)v.high >> 63;
     TwoLanes<L, fused> r = v;
     choose(below, -v.high, r.high);
     choose(below, -v.low, r.low);

@@ -43,7 +43,7 @@ template <int W, int slices>
 TYPE21_INLINE bool slice_in(const double* value, int count, double ceiling, const double* cut, double* sum) {
     constexpr int parts = 8 / W;
     Lanes<W> total[slices][parts], most{};
-    WholeLanes<Lanes<W>> rest{};
+    IntegerLanes<Lanes<W>> rest{};
     for (int s = 0; s < slices; ++s)
         for (int p = 0; p < parts; ++p)
             load(sum + 8 * s + W * p, total[s][p]);
@@ -58,7 +58,7 @@ TYPE21_INLINE bool slice_in(const double* value, int count, double ceiling, cons
                 total[s][p] += high;
                 left -= high;
             }
-            rest |= (WholeLanes<Lanes<W>>)left;  // infinite and no numbers leave no number
+            rest |= (IntegerLanes<Lanes<W>>)left;  // infinite and no numbers leave no number
         }
     }
     long long remains = 0;
@@ -118,9 +118,9 @@ void ExactAccumulator::add(double value) {
     }
     std::uint64_t mantissa = bits & ((std::uint64_t{1} << 52) - 1);
     if (exponent != 0) mantissa |= std::uint64_t{1} << 52;
-    const int place = exponent == 0 ? 0 : exponent - 1;
-    const auto at = static_cast<size_t>(place) / 32;
-    const int shift = place % 32;
+    const int position = exponent == 0 ? 0 : exponent - 1;
+    const auto at = static_cast<size_t>(position) / 32;
+    const int shift = position % 32;
     const std::uint64_t low = (mantissa << shift) & (static_cast<std::uint64_t>(base) - 1);
     const std::uint64_t above = mantissa >> (32 - shift);  // shift 0: mantissa >> 32
     const auto middle = static_cast<std::int64_t>(above & (static_cast<std::uint64_t>(base) - 1));
@@ -149,7 +149,7 @@ void ExactAccumulator::add_block(const double* value, int n) {
     if (ordinary && most > 0) {
         if (!(most < ceiling_)) {
             flush();
-            // A little room, so that numbers that grow slowly do not flush again and again.
+            // A little more than needed, so that numbers that grow slowly do not flush again and again.
             const int m = std::ilogb(most) + 4;
             ceiling_ = std::ldexp(1.0, m);
             for (int s = 0; s < 3; ++s)
@@ -226,16 +226,18 @@ double ExactAccumulator::value() const {
         return i < 0 ? std::uint64_t{0} : static_cast<std::uint64_t>(sum.digit_[static_cast<size_t>(i)]);
     };
     const int length = 64 - std::countl_zero(digit(top));
-    const int last = 32 * top + length - 1;    // place of the leading bit
-    const int first = std::max(last - 52, 0);  // place of the last bit that a double holds
-    const auto bit = [&](int place) { return place >= 0 && ((digit(place / 32) >> (place % 32)) & 1) != 0; };
+    const int last = 32 * top + length - 1;    // position of the leading bit
+    const int first = std::max(last - 52, 0);  // position of the last bit that a double holds
+    const auto bit = [&](int position) {
+        return position >= 0 && ((digit(position / 32) >> (position % 32)) & 1) != 0;
+    };
     std::uint64_t mantissa = 0;
-    for (int place = last; place >= first; --place)
-        mantissa = 2 * mantissa + (bit(place) ? 1 : 0);
+    for (int position = last; position >= first; --position)
+        mantissa = 2 * mantissa + (bit(position) ? 1 : 0);
     if (bit(first - 1)) {
         bool more = (mantissa & 1) != 0;
-        for (int place = first - 2; place >= 0 && !more; --place)
-            more = bit(place);
+        for (int position = first - 2; position >= 0 && !more; --position)
+            more = bit(position);
         if (more) ++mantissa;
     }
     const double size = std::ldexp(static_cast<double>(mantissa), first - 1074);

@@ -45,22 +45,22 @@ enum class Term : int {
     count
 };
 
-/// Rows of terms of up to `room` nodes: they are summed a block at a time, while they are in the cache.
+/// Rows of terms of up to `capacity` nodes. They are summed a block at a time, while they are in the cache.
 class TermBlock {
   public:
-    static constexpr int room = 64;
+    static constexpr int capacity = 64;
 
     double* column() { return value_.data() + size_; }
-    static constexpr int stride = room;
+    static constexpr int stride = capacity;
     void next() { ++size_; }
     int size() const { return size_; }
     void clear() { size_ = 0; }
-    const double* row(int term) const { return value_.data() + term * room; }
-    double* row(Term term) { return value_.data() + static_cast<int>(term) * room; }
+    const double* row(int term) const { return value_.data() + term * capacity; }
+    double* row(Term term) { return value_.data() + static_cast<int>(term) * capacity; }
     void resize(int columns) { size_ = columns; }
 
   private:
-    alignas(64) std::array<double, static_cast<size_t>(Term::count) * room> value_;
+    alignas(64) std::array<double, static_cast<size_t>(Term::count) * capacity> value_;
     int size_ = 0;
 };
 

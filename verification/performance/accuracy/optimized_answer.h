@@ -11,20 +11,21 @@ namespace type21::accuracy {
 inline Answer answer_of(const optimized::Retained& retained, double gap) {
     Answer answer;
     answer.stage = static_cast<int>(retained.settled);
-    if (retained.segment < 0) return answer;
-    const optimized::ProjectionResult& landing = retained.landing;
-    answer.kind = landing.kind;
-    answer.segment = retained.segment;
-    answer.triangle = retained.piece;
-    answer.side = landing.side;
-    if (landing.kind == Kind::contact) answer.penetration = gap - landing.lift * optimized::norm(landing.normal);
+    if (!retained.exists()) return answer;
+    const optimized::ProjectionResult& projection = retained.projection;
+    answer.kind = projection.kind;
+    answer.segment = retained.id.segment();
+    answer.triangle = retained.id.triangle();
+    answer.side = projection.side;
+    if (projection.kind == Kind::contact)
+        answer.penetration = gap - projection.lift * optimized::norm(projection.normal);
     return answer;
 }
 
 inline optimized::SegmentData segment_data(const DecisionTool& tool, int rank) {
     const auto& corner = tool.segment[static_cast<size_t>(rank)];
     optimized::SegmentData segment;
-    segment.triangle = corner[2] == corner[3];
+    segment.is_triangle = corner[2] == corner[3];
     for (size_t j = 0; j < 4; ++j) {
         segment.node[j] = optimized::from(tool.node[static_cast<size_t>(corner[j])]);
         segment.normal[j] = optimized::from(tool.normal[static_cast<size_t>(corner[j])]);

@@ -58,8 +58,8 @@ class Prepared {
             reach = std::max({reach, query.gap, query.depth, query.proximity_reach});
         return reach;
     }
-    static optimized::Limits limits_of(const QueryBlock& block) {
-        optimized::Limits limits;
+    static optimized::CaptureLimits limits_of(const QueryBlock& block) {
+        optimized::CaptureLimits limits;
         for (const ContactQuery& query : block.queries) {
             limits.outward = std::max({limits.outward, query.gap, query.proximity_reach});
             limits.inward = std::max(limits.inward, query.depth);

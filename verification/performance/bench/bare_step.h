@@ -1,4 +1,4 @@
-/// @file A step put together by hand, of the product's pieces, for one kind of scene: elastic, or elastic with damping
+/// @file A step put together by hand, from the product's parts, for one kind of scene: elastic, or elastic with damping
 /// and Coulomb friction. It asks for no other effect and stands for "a build without the effects"; it can sum in plain
 /// double, and can stop after each stage, which the product cannot.
 #pragma once
@@ -16,12 +16,13 @@ namespace type21::bench {
 
 class BareStep {
   public:
-    /// `select` knows who is retained, `decide` where, too; `look` is `decide` and tells how the decisions came about.
+    /// Where a step stops. `select`: the retained sub-triangle, kind and side are known. `decide`: the contact point as
+    /// well. `look`: like `decide`, and records how the decisions were reached.
     enum class Until { transform, select, decide, look, force, sum };
     enum class Sums { exact, plain };
 
-    /// @param rubbing  damping and friction of the card; otherwise it is elastic
-    BareStep(const BenchScene& scene, bool rubbing);
+    /// @param with_friction  damping and friction of the card; otherwise it is elastic
+    BareStep(const BenchScene& scene, bool with_friction);
 
     void step(const Motion& motion, Until until = Until::sum, Sums sums = Sums::exact);
 
@@ -34,32 +35,32 @@ class BareStep {
     /// What the last cycle until `select` or `decide` retained.
     std::vector<Decision> decisions() const;
     /// Where the nodes were in the last cycle until `look`, in the tool frame.
-    const std::vector<optimized::V3>& place() const { return place_; }
+    const std::vector<optimized::V3>& position() const { return position_; }
     const std::vector<optimized::Memory>& memory() const { return nodes_.memory; }
     /// Ranks of the nodes that it had to search for.
     const std::vector<int>& searched() const { return searched_; }
-    /// Ranks of those that it decided between two sub-triangles.
-    const std::vector<int>& paired() const { return paired_; }
-    optimized::ContactReach window(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
+    /// Ranks of the nodes that it decided in an edge neighbour zone.
+    const std::vector<int>& edge_neighbour() const { return edge_neighbour_; }
+    optimized::ContactReach reach(size_t i) const { return {nodes_.gap[i], laws_->card->depth, 0.0}; }
 
   private:
     void at_time_zero(const optimized::Cycle& cycle);
-    template <bool rubbing, Until until, Sums sums>
+    template <bool with_friction, Until until, Sums sums>
     void run(const Motion& motion);
-    template <bool rubbing>
+    template <bool with_friction>
     void dispatch(const Motion& motion, Until until, Sums sums);
 
-    bool rubbing_;
+    bool with_friction_;
     std::unique_ptr<optimized::Laws> laws_;
     optimized::NodeData nodes_;
-    std::vector<optimized::V3> place_;
+    std::vector<optimized::V3> position_;
     std::vector<Vec3> force_;
     std::vector<double> step_stiffness_;
-    std::vector<int> searched_, paired_;
-    std::vector<int> retained_;      ///< place of each node, -1: none
-    std::vector<signed char> side_;  ///< its side
+    std::vector<int> searched_, edge_neighbour_;
+    std::vector<optimized::SubTriangleId> retained_;  ///< of each node
+    std::vector<signed char> side_;                   ///< its side
     optimized::PathTally tally_;
-    optimized::ExclusiveRegionPolicy asked_again_;
+    optimized::ExclusiveRegionPolicy exclusive_region_policy_;
     int cycles_ = 0;
     std::unique_ptr<optimized::Workspace> work_;
     Vec3 tool_force_ = Vec3::Zero();
@@ -67,9 +68,9 @@ class BareStep {
 
 /// It, cycle after cycle of its scene.
 struct BareRun {
-    BareRun(const BenchScene& scene_, bool rubbing, BareStep::Until until_ = BareStep::Until::sum,
+    BareRun(const BenchScene& scene_, bool with_friction, BareStep::Until until_ = BareStep::Until::sum,
             BareStep::Sums sums_ = BareStep::Sums::exact)
-        : scene(scene_), until(until_), sums(sums_), bare(scene_, rubbing) {}
+        : scene(scene_), until(until_), sums(sums_), bare(scene_, with_friction) {}
     /// Times the next cycle [ns per node].
     double next() {
         const Motion motion = scene.motion(cycle++);

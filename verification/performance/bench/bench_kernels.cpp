@@ -33,11 +33,11 @@ struct Patch {
             }
         }
         for (int i = 0; i < 256; ++i)
-            place.push_back({0.7 + 0.3 * unit(random), 0.7 + 0.3 * unit(random), 0.2 * unit(random)});
+            position.push_back({0.7 + 0.3 * unit(random), 0.7 + 0.3 * unit(random), 0.2 * unit(random)});
     }
-    std::vector<V3> node, normal, place;
+    std::vector<V3> node, normal, position;
     std::vector<SegmentData> segment;
-    ContactReach window{0.25, 0.25, 0};
+    ContactReach reach{0.25, 0.25, 0};
 };
 
 void one_filter(benchmark::State& state) {
@@ -47,53 +47,53 @@ void one_filter(benchmark::State& state) {
     for (auto _ : state) {
         ++i;
         benchmark::DoNotOptimize(
-            filter(patch.place[i % 256], patch.segment[0], local, 1 + static_cast<int>(i % 4), patch.window, {}));
+            filter(patch.position[i % 256], patch.segment[0], local, 1 + static_cast<int>(i % 4), patch.reach, {}));
     }
 }
 BENCHMARK(one_filter)->Name("filter: double with bounds, one sub-triangle");
 
-void one_fine(benchmark::State& state) {
+void one_double_double(benchmark::State& state) {
     const Patch patch(0.05);
-    FineKappa kappa;
+    KappaDoubleDouble kappa;
     size_t i = 0;
     for (auto _ : state) {
         ++i;
-        benchmark::DoNotOptimize(
-            fine_filter(patch.place[i % 256], patch.segment[0], 1 + static_cast<int>(i % 4), patch.window, {}, kappa));
+        benchmark::DoNotOptimize(filter_double_double(patch.position[i % 256], patch.segment[0],
+                                                      1 + static_cast<int>(i % 4), patch.reach, {}, kappa));
     }
 }
-BENCHMARK(one_fine)->Name("100 bits with bounds, one sub-triangle");
+BENCHMARK(one_double_double)->Name("double-double with bounds, one sub-triangle");
 
-void one_whole(benchmark::State& state) {
+void one_in_integers(benchmark::State& state) {
     const Patch patch(0.05);
     size_t i = 0;
     for (auto _ : state) {
         ++i;
         benchmark::DoNotOptimize(
-            exact_landing(patch.place[i % 256], patch.segment[0], 1 + static_cast<int>(i % 4), patch.window, {}));
+            project_exact(patch.position[i % 256], patch.segment[0], 1 + static_cast<int>(i % 4), patch.reach, {}));
     }
 }
-BENCHMARK(one_whole)->Name("whole numbers, one sub-triangle");
+BENCHMARK(one_in_integers)->Name("integers, one sub-triangle");
 
 void many_plain(benchmark::State& state) {
     const Patch patch(0.05);
     ProjectionBatch rows;
-    for (size_t i = 0; i < ProjectionBatch::room; ++i) {
+    for (size_t i = 0; i < ProjectionBatch::capacity; ++i) {
         const SegmentData& segment = patch.segment[i % 4];
         for (int a = 0; a < 3; ++a) {
-            rows.y[a][i] = patch.place[i][a];
+            rows.y[a][i] = patch.position[i][a];
             for (size_t j = 0; j < 4; ++j) {
                 rows.corner[j][a][i] = segment.node[j][a];
                 rows.normal[j][a][i] = segment.normal[j][a];
             }
         }
         rows.code[i] = static_cast<long long>(i % 4);
-        rows.core[i] = 0;
-        rows.size[i] = foreseen_size(2, 0.25);
+        rows.exclusive_margin[i] = 0;
+        rows.size[i] = a_priori_size(2, 0.25);
         rows.gap[i] = 0.25;
     }
     for (auto _ : state) {
-        project_double(rows, 0, ProjectionBatch::room, {0.25, 0.25, 0.25, 0, true});
+        project_double(rows, 0, ProjectionBatch::capacity, {0.25, 0.25, 0.25, 0, true});
         benchmark::ClobberMemory();
     }
 }
@@ -106,8 +106,8 @@ void decide(benchmark::State& state) {
     const V3 tied[] = {{}, {1, 1, 0.125}, {1, 0.5, 0.125}, {0.5, 0.5, 0.125}};
     size_t i = 0;
     for (auto _ : state) {
-        const V3 p = state.range(0) == 0 ? patch.place[i++ % 256] : tied[state.range(0)];
-        Decider decider(p, patch.window, {});
+        const V3 p = state.range(0) == 0 ? patch.position[i++ % 256] : tied[state.range(0)];
+        Decider decider(p, patch.reach, {});
         for (int s = 0; s < 4; ++s)
             decider.add(s, patch.segment[static_cast<size_t>(s)]);
         benchmark::DoNotOptimize(decider.retained([&](int s) { return patch.segment[static_cast<size_t>(s)]; }));
@@ -118,15 +118,15 @@ BENCHMARK(decide)->Name("decision of 16 sub-triangles: ordinary, corner tie, edg
 void sum_block(benchmark::State& state) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> number;
-    double values[TermBlock::room];
+    double values[TermBlock::capacity];
     for (double& v : values)
         v = number(random);
     ExactAccumulator sum;
     for (auto _ : state) {
-        sum.add_block(values, TermBlock::room);
+        sum.add_block(values, TermBlock::capacity);
         benchmark::ClobberMemory();
     }
-    state.SetItemsProcessed(state.iterations() * TermBlock::room);
+    state.SetItemsProcessed(state.iterations() * TermBlock::capacity);
 }
 BENCHMARK(sum_block)->Name("exact sum, a block of numbers");
 

@@ -45,7 +45,7 @@ BenchScene pan_bench(const std::string& name, int triangles, int nodes, double g
 /// Coordinates are dyadic, so that the ties are exact.
 BenchScene ties_bench(int n);
 
-/// Cycles after which what a contact finds out once is found out (balls around nodes, cores under them).
+/// Cycles after which a contact has set up what it sets up once (safe radii, exclusive regions).
 constexpr int settling_cycles = 32;
 
 /// The first cycles of a deck, as a run of it with the optimized contact moves.

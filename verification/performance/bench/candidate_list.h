@@ -43,7 +43,7 @@ class CandidateList {
     void step(const Motion& motion);
     /// The same without forces.
     void search(const Motion& motion);
-    /// What search() does when something has moved too far; for those who time it.
+    /// What search() does when something has moved too far; separate so that it can be timed.
     void sort();
 
     struct Retained {

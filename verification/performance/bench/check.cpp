@@ -9,7 +9,7 @@
 #include "verification/decisions/queries/decision_text.h"
 #include "verification/performance/bench/bare_step.h"
 #include "verification/performance/bench/bench.h"
-#include "verification/performance/bench/truth.h"
+#include "verification/performance/bench/exact_decisions.h"
 #include "verification/support/contact_choice.h"
 
 namespace type21::bench {
@@ -52,7 +52,7 @@ void compare(CheckPart& part, const BenchScene& scene, size_t i, int cycle, cons
 
 CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& make) {
     CheckPart part{scene.name + ", step and selection against exact decisions", 0, 0, {}};
-    const Truth exact(scene);
+    const ExactDecisions exact(scene);
     const auto contact = (make ? make : contact_maker("optimized"))(scene.scene, scene.interface);
     BareStep bare(scene, true);
     Wander wander;
@@ -60,7 +60,7 @@ CheckPart check_steps(const BenchScene& scene, long count, const MakeContact& ma
         const Motion motion = wander.next(scene);
         const std::vector<Decision> truth = exact.at(motion, static_cast<size_t>((count - part.decisions + 1) / 2));
         const ContactStep step = contact->step(motion);
-        // Two of three cycles without projections, as balls make them; the third with.
+        // Two of three cycles without projections inside the safe radii; the third with.
         bare.step(motion, wander.cycle % 3 == 0 ? BareStep::Until::decide : BareStep::Until::select);
         const std::vector<Decision> selected = bare.decisions();
         for (size_t i = 0; i < truth.size(); ++i) {

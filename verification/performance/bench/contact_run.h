@@ -16,7 +16,7 @@ class ContactRun {
         : scene_(scene), contact_(std::make_unique<optimized::Contact>(scene.scene, scene.interface)) {}
 
     /// Times the next cycle [ns per node]; a recorded motion that has ended begins again with a new contact.
-    /// @param lean  the step that the time integration needs; where the scene has no such step, the whole one
+    /// @param lean  the step that the time integration needs; where the scene has no such step, the full one
     double next(bool lean, bool one_thread = true) {
         if (scene_.cycles > 0 && cycle_ >= scene_.cycles) {
             contact_ = std::make_unique<optimized::Contact>(scene_.scene, scene_.interface);
@@ -36,7 +36,7 @@ class ContactRun {
         keep(step_);
         return watch.nanoseconds() / static_cast<double>(scene_.nodes());
     }
-    /// Runs a generated scene until what a contact finds out once is found out.
+    /// Runs a generated scene until the contact has set up what it sets up once.
     void settle() {
         for (int c = 0; c < settling_cycles && scene_.cycles == 0; ++c)
             next(true);

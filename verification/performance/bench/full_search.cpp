@@ -5,12 +5,12 @@
 namespace type21::bench {
 
 void FullSearch::at(std::span<const optimized::V3> y, std::span<const double> gap, std::span<Decision> found) {
-    constexpr size_t room = optimized::Search::Batch::room;
+    constexpr size_t capacity = optimized::Search::Batch::capacity;
     optimized::Search::Batch& batch = *batch_;
     batch.depth = laws_.card->depth;
     batch.proximity = 0;
-    for (size_t first = 0; first < y.size(); first += room) {
-        const size_t count = std::min(room, y.size() - first);
+    for (size_t first = 0; first < y.size(); first += capacity) {
+        const size_t count = std::min(capacity, y.size() - first);
         batch.count = static_cast<int>(count);
         for (size_t i = 0; i < count; ++i) {
             for (int a = 0; a < 3; ++a)
@@ -22,10 +22,10 @@ void FullSearch::at(std::span<const optimized::V3> y, std::span<const double> ga
             Decision& one = found[first + i];
             one = {};
             ++settled_[static_cast<size_t>(batch.settled[i])];
-            if (batch.place[i] < 0) continue;
+            if (!batch.id[i].exists()) continue;
             one.kind = batch.kind[i];
-            one.segment = optimized::segment_of(batch.place[i]);
-            one.triangle = optimized::piece_of(batch.place[i]);
+            one.segment = batch.id[i].segment();
+            one.triangle = batch.id[i].triangle();
             one.side = batch.side[i];
         }
     }

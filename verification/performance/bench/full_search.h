@@ -1,4 +1,4 @@
-/// @file The full search of the optimized contact, for many nodes and without what they remember.
+/// @file The full search of the optimized contact, for many nodes and without memory.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 /// What switches an effect on in the bowl.
 struct EffectCase {
     std::string name;
-    bool rubbing;  ///< the scene without it: with damping and Coulomb friction, or elastic only
+    bool with_friction;  ///< the scene without it: with damping and Coulomb friction, or elastic only
     std::vector<Effect> effects;
     std::function<void(Interface&, Model&)> change;
 };
@@ -91,14 +91,14 @@ std::vector<EffectCase> cases() {
 }
 
 /// The bowl with some effects more, and with what its motion then needs.
-BenchScene changed(const BenchScene& bowl, bool rubbing, const EffectCase* with) {
+BenchScene changed(const BenchScene& bowl, bool with_friction, const EffectCase* with) {
     BenchScene out = bowl;
     auto model = std::make_shared<Model>(*bowl.scene.host);
     Interface& card = model->interfaces[0];
     std::vector<Effect>& effects = out.scene.effects[0];
     effects = {Effect::elastic};
     card.viss.value = card.fric.value = 0;
-    if (rubbing) {
+    if (with_friction) {
         card.viss.value = 1;
         card.fric.value = 0.1;
         effects = {Effect::elastic, Effect::damping, Effect::friction};
@@ -126,11 +126,11 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
     const Effort effort(options.quick);
     // A quarter of the bowl: which effects cost what does not hang on its size.
     const BenchScene bowl = bowl_bench(options.blank / 2, options.tool / 2);
-    const BenchScene elastic = changed(bowl, false, nullptr), rubbing = changed(bowl, true, nullptr);
+    const BenchScene elastic = changed(bowl, false, nullptr), with_friction = changed(bowl, true, nullptr);
     tbb::task_arena one(1);
     one.execute([&] {
-        BareRun bare[2] = {{elastic, false}, {rubbing, true}};
-        ContactRun without[2] = {ContactRun(elastic), ContactRun(rubbing)};
+        BareRun bare[2] = {{elastic, false}, {with_friction, true}};
+        ContactRun without[2] = {ContactRun(elastic), ContactRun(with_friction)};
         for (int i = 0; i < 2; ++i) {
             bare[i].settle();
             without[i].settle();
@@ -139,7 +139,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
         const std::vector<EffectCase> all = cases();
         std::vector<BenchScene> scenes;
         for (const EffectCase& one_case : all)
-            scenes.push_back(changed(bowl, one_case.rubbing, &one_case));
+            scenes.push_back(changed(bowl, one_case.with_friction, &one_case));
         std::vector<std::unique_ptr<ContactRun>> with;
         for (const BenchScene& scene : scenes) {
             with.push_back(std::make_unique<ContactRun>(scene));
@@ -147,7 +147,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
             with.back()->next(true);
         }
         for (size_t i = 0; i < 2; ++i) {
-            const std::string base = i == 1 ? "rubbing" : "elastic";
+            const std::string base = i == 1 ? "with_friction" : "elastic";
             rounds.add(
                 "bare " + base, [&run = bare[i]] { return run.next(); }, effort.cycles);
             rounds.add(
@@ -160,7 +160,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
                 all[i].name, [run = with[i].get()] { return run->next(true); }, effort.cycles);
         rounds.run(effort.repeats, effort.seconds);
         for (size_t i = 0; i < all.size(); ++i) {
-            const std::string base = all[i].rubbing ? "rubbing" : "elastic";
+            const std::string base = all[i].with_friction ? "with_friction" : "elastic";
             const bool lean = with[i]->has_lean();
             EffectRow row{all[i].name,
                           lean ? "step_lean" : "step",
@@ -172,7 +172,7 @@ void measure_effects(const BenchOptions& options, BenchResult& result) {
         }
         result.targets.push_back({"memory of a node without optional effects", "bowl", "B", Better::lower, 100, 100,
                                   static_cast<double>(without[0].contact().bytes_per_node()), ""});
-        for (const std::string base : {"elastic", "rubbing"})
+        for (const std::string base : {"elastic", "with_friction"})
             result.targets.push_back({fmt::format("effects off against a step that has none, {}",
                                                   base == "elastic" ? "elastic" : "Coulomb and damping"),
                                       "bowl", "x", Better::lower, 1.02, 1.00,

@@ -14,49 +14,51 @@ namespace {
 
 using optimized::ProjectionBatch;
 
-/// The projections of as many nodes, on the segment and place of each, all of them in a core.
+/// The projections of `count` nodes on their last sub-triangles, as if all lay in the exclusive region.
 std::vector<ProjectionBatch> projections(const BareStep& bare, size_t count) {
-    std::vector<ProjectionBatch> blocks(std::max<size_t>(count / ProjectionBatch::room, 1));
-    const optimized::Limits& limits = bare.search().limits();
+    std::vector<ProjectionBatch> blocks(std::max<size_t>(count / ProjectionBatch::capacity, 1));
+    const optimized::CaptureLimits& limits = bare.search().limits();
     size_t i = 0;
     for (ProjectionBatch& rows : blocks) {
-        std::array<int, ProjectionBatch::room> place;
-        for (size_t column = 0; column < place.size(); ++column, ++i) {
-            const size_t n = std::min(i, bare.place().size() - 1);
-            place[column] = std::max(bare.memory()[n].place, 0);
+        std::array<optimized::SubTriangleId, ProjectionBatch::capacity> id;
+        for (size_t column = 0; column < id.size(); ++column, ++i) {
+            const size_t n = std::min(i, bare.position().size() - 1);
+            const optimized::SubTriangleId last = bare.memory()[n].last;
+            id[column] = last.exists() ? last : optimized::SubTriangleId(0, 1);
             for (int a = 0; a < 3; ++a)
-                rows.y[a][column] = bare.place()[n][a];
-            rows.core[column] = 0;
-            rows.gap[column] = bare.window(n).gap;
+                rows.y[a][column] = bare.position()[n][a];
+            rows.exclusive_margin[column] = 0;
+            rows.gap[column] = bare.reach(n).gap;
         }
-        gather(rows, bare.laws().tool, place.data(), 0, ProjectionBatch::room, std::max(limits.outward, limits.inward));
+        gather(rows, bare.laws().tool, id.data(), 0, ProjectionBatch::capacity,
+               std::max(limits.outward, limits.inward));
     }
     return blocks;
 }
 
-/// Nodes asked again, a batch after the other: where they were retained, or as if nothing were known of them.
-class ExclusiveRegionPolicy {
+/// Decides nodes once more, batch by batch: from their last sub-triangles, or by a full search.
+class RepeatedDecision {
   public:
-    enum class How { near_last, anywhere };
-    ExclusiveRegionPolicy(const BareStep& bare, const std::vector<int>& nodes, How how)
+    enum class How { from_last, full_search };
+    RepeatedDecision(const BareStep& bare, const std::vector<int>& nodes, How how)
         : bare_(bare), nodes_(nodes), how_(how) {}
     void operator()() {
-        for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::room) {
-            const size_t count = std::min<size_t>(optimized::Search::Batch::room, nodes_.size() - first);
+        for (size_t first = 0; first < nodes_.size(); first += optimized::Search::Batch::capacity) {
+            const size_t count = std::min<size_t>(optimized::Search::Batch::capacity, nodes_.size() - first);
             batch_->count = static_cast<int>(count);
             batch_->memory = memory_.data();
-            std::fill_n(batch_->asked, count, true);
-            batch_->depth = bare_.window(0).depth;
+            std::fill_n(batch_->active, count, true);
+            batch_->depth = bare_.reach(0).depth;
             batch_->proximity = 0;
             for (size_t j = 0; j < count; ++j) {
                 const auto i = static_cast<size_t>(nodes_[first + j]);
                 for (int a = 0; a < 3; ++a)
-                    batch_->y[a][j] = bare_.place()[i][a];
-                batch_->gap[j] = bare_.window(i).gap;
+                    batch_->y[a][j] = bare_.position()[i][a];
+                batch_->gap[j] = bare_.reach(i).gap;
                 memory_[j] = bare_.memory()[i];
                 memory_[j].forget();
             }
-            if (how_ == How::near_last)
+            if (how_ == How::from_last)
                 bare_.search().find(*batch_, bare_.laws().rules);
             else
                 bare_.search().search(*batch_, bare_.laws().rules);
@@ -69,7 +71,7 @@ class ExclusiveRegionPolicy {
     const std::vector<int>& nodes_;
     How how_;
     std::unique_ptr<optimized::Search::Batch> batch_ = std::make_unique<optimized::Search::Batch>();
-    std::array<optimized::Memory, optimized::Search::Batch::room> memory_;
+    std::array<optimized::Memory, optimized::Search::Batch::capacity> memory_;
 };
 
 /// Bytes of a node that one step must read or write: what streams through, not the tool, which nodes share.
@@ -103,10 +105,10 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         product.settle();
         // As in the step, the rows stay near: few of them, again and again.
         std::vector<ProjectionBatch> rows = projections(look.bare, std::min<size_t>(scene.nodes(), 256));
-        const optimized::Limits& reach = look.bare.search().limits();
-        const optimized::LandingLimits limits{reach.outward, reach.inward, look.bare.window(0).depth, 0, true};
-        ExclusiveRegionPolicy paired(look.bare, look.bare.paired(), ExclusiveRegionPolicy::How::near_last);
-        ExclusiveRegionPolicy searched(look.bare, look.bare.searched(), ExclusiveRegionPolicy::How::anywhere);
+        const optimized::CaptureLimits& reach = look.bare.search().limits();
+        const optimized::BatchLimits limits{reach.outward, reach.inward, look.bare.reach(0).depth, 0, true};
+        RepeatedDecision neighbours(look.bare, look.bare.edge_neighbour(), RepeatedDecision::How::from_last);
+        RepeatedDecision searched(look.bare, look.bare.searched(), RepeatedDecision::How::full_search);
         const double nodes = static_cast<double>(scene.nodes());
         rounds.add(
             "product", [&] { return product.next(true); }, effort.cycles);
@@ -125,14 +127,14 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
             const Watch watch(true);
             for (int t = 0; t < times; ++t) {
                 for (ProjectionBatch& block : rows)
-                    project_double(block, 0, ProjectionBatch::room, limits);
+                    project_double(block, 0, ProjectionBatch::capacity, limits);
                 keep(rows);
             }
-            return watch.nanoseconds() / static_cast<double>(times * rows.size() * ProjectionBatch::room);
+            return watch.nanoseconds() / static_cast<double>(times * rows.size() * ProjectionBatch::capacity);
         });
         rounds.add("neighbours", [&] {
             const Watch watch(true);
-            paired();
+            neighbours();
             return watch.nanoseconds() / nodes;
         });
         rounds.add("search", [&] {
@@ -149,15 +151,15 @@ void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchR
         };
         add("transform", median("transform"), "a step that stops there");
         add("certify", deciding - searching - pairing - projecting, "deciding, less the next three");
-        add("neighbours", pairing, "the nodes between two sub-triangles asked again");
-        add("search", searching, "the nodes without a certificate asked again");
+        add("neighbours", pairing, "the nodes in edge neighbour zones decided once more");
+        add("search", searching, "the nodes without a certificate searched for once more");
         add("project", projecting, "the projections of the step alone");
         add("force", median("force") - median("decide"), "difference of two steps that stop early");
-        add("sum", step - median("force"), "the whole step less one that stops there");
-        result.ratios.push_back({scene.name, "reproducible sums / plain sums, whole step", "step by hand",
+        add("sum", step - median("force"), "the full step less one that stops there");
+        result.ratios.push_back({scene.name, "reproducible sums / plain sums, full step", "step by hand",
                                  "step by hand, plain sums", rounds.of_medians("sum", "plain sums"),
                                  rounds.of_minima("sum", "plain sums")});
-        result.targets.push_back({"reproducible sums against plain sums, whole step", scene.name, "x", Better::lower,
+        result.targets.push_back({"reproducible sums against plain sums, full step", scene.name, "x", Better::lower,
                                   1.05, 1.01, rounds.of_medians("sum", "plain sums"), ""});
         const Bandwidth& memory = result.machine.bandwidth.front();
         Roofline roofline{scene.name, streamed_bytes(), flops, 0, 0, median("product")};

@@ -9,10 +9,10 @@ namespace type21::bench {
 using namespace method;
 
 template <class Make>
-auto SceneBench::timed_set_up(const std::string& who, const Make& make) {
+auto SceneBench::timed_set_up(const std::string& method, const Make& make) {
     const Watch watch(true);
     auto made = make();
-    row_.setup.push_back({who, 1, watch.seconds(), 0, 0});
+    row_.setup.push_back({method, 1, watch.seconds(), 0, 0});
     return made;
 }
 
@@ -52,22 +52,22 @@ SurfaceMesh SceneBench::mesh() const {
     return mesh;
 }
 
-template <class Ask>
-double SceneBench::ask_part(size_t& start, const Ask& ask_all) {
-    const size_t count = std::min(place_.size(), static_cast<size_t>(effort_.questions));
-    if (start + count > place_.size()) start = 0;
+template <class Decide>
+double SceneBench::time_part(size_t& start, const Decide& decide_all) {
+    const size_t count = std::min(position_.size(), static_cast<size_t>(effort_.questions));
+    if (start + count > position_.size()) start = 0;
     const Watch watch(true);
-    ask_all(start, count);
+    decide_all(start, count);
     const double time = watch.nanoseconds() / static_cast<double>(count);
     start += count;
     return time;
 }
 
-template <class Ask>
-double SceneBench::ask(size_t& start, const Ask& ask) {
-    return ask_part(start, [&](size_t first, size_t count) {
+template <class Decide>
+double SceneBench::time_each(size_t& start, const Decide& decide) {
+    return time_part(start, [&](size_t first, size_t count) {
         for (size_t i = first; i < first + count; ++i)
-            keep(ask(i));
+            keep(decide(i));
     });
 }
 
@@ -76,15 +76,15 @@ void SceneBench::add_product() {
     run_.settle();
     rounds_.add(
         coherent, [&] { return run_.next(true); }, effort_.cycles);
-    rounds_.add(whole, [&] { return run_.next(false); });
+    rounds_.add(with_report, [&] { return run_.next(false); });
     laws_ = laws_with_search(scene_.scene, scene_.interface);
     const Motion motion = scene_.motion(0);
     const ToolMotion& pose = motion.tools[static_cast<size_t>(scene_.card().tool)];
     for (const int node : scene_.card().secondary.node)
-        place_.push_back(
+        position_.push_back(
             optimized::from(pose.rotation.transpose() * (motion.position[static_cast<size_t>(node)] - pose.position)));
     if (!generated()) return;
-    // Steps that stop when they know what each node touches, and where.
+    // Steps that stop when the retained sub-triangles are known, and when the contact points are.
     select_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::select);
     project_ = std::make_unique<BareRun>(scene_, true, BareStep::Until::decide);
     select_->settle();
@@ -93,20 +93,20 @@ void SceneBench::add_product() {
         select, [&] { return select_->next(); }, effort_.cycles);
     rounds_.add(
         project, [&] { return project_->next(); }, effort_.cycles);
-    found_.resize(place_.size());
-    const std::span<const optimized::V3> place(place_);
+    found_.resize(position_.size());
+    const std::span<const optimized::V3> position(position_);
     const std::span<Decision> found(found_);
     full_ = std::make_unique<FullSearch>(*laws_);
-    rounds_.add(full, [this, place, found] {
-        return ask_part(at_[0], [&](size_t first, size_t count) {
-            full_->at(place.subspan(first, count), gaps().subspan(first, count), found.subspan(first, count));
+    rounds_.add(full, [this, position, found] {
+        return time_part(at_[0], [&](size_t first, size_t count) {
+            full_->at(position.subspan(first, count), gaps().subspan(first, count), found.subspan(first, count));
             keep(found_);
         });
     });
     plain_ = std::make_unique<PlainSearch>(laws_->tool, laws_->search->limits());
-    rounds_.add(plain, [this, place, found] {
-        return ask_part(at_[1], [&](size_t first, size_t count) {
-            plain_->at(place.subspan(first, count), gaps().subspan(first, count), scene_.card().depth,
+    rounds_.add(plain, [this, position, found] {
+        return time_part(at_[1], [&](size_t first, size_t count) {
+            plain_->at(position.subspan(first, count), gaps().subspan(first, count), scene_.card().depth,
                        found.subspan(first, count));
             keep(found_);
         });
@@ -115,12 +115,12 @@ void SceneBench::add_product() {
 
 void SceneBench::add_competitors() {
     const SurfaceMesh surface = mesh();
-    const auto closest = [&](const std::string& name, std::unique_ptr<ClosestPoint>& who, size_t& at,
+    const auto closest = [&](const std::string& name, std::unique_ptr<ClosestPoint>& method, size_t& at,
                              const auto& make) {
-        who = timed_set_up(name.substr(0, name.find(',')) + (name == epick ? " (EPICK)" : ""), make);
-        row_.setup.back().bytes = who->bytes();
-        row_.setup.back().bytes_per_segment = static_cast<double>(who->bytes()) / static_cast<double>(row_.segments);
-        rounds_.add(name, [&] { return ask(at, [&](size_t i) { return who->at(to_vec3(place_[i])); }); });
+        method = timed_set_up(name.substr(0, name.find(',')) + (name == epick ? " (EPICK)" : ""), make);
+        row_.setup.back().bytes = method->bytes();
+        row_.setup.back().bytes_per_segment = static_cast<double>(method->bytes()) / static_cast<double>(row_.segments);
+        rounds_.add(name, [&] { return time_each(at, [&](size_t i) { return method->at(to_vec3(position_[i])); }); });
     };
     if (has_embree()) closest(embree, embree_, at_[2], [&] { return closest_by_embree(surface, way_of_reach()); });
     closest(cgal, cgal_, at_[3], [&] { return closest_by_cgal_double(surface); });
@@ -139,7 +139,7 @@ void SceneBench::add_competitors() {
             const Motion motion = scene_.motion(reference_cycle_++);
             const Watch watch(true);
             const ContactStep step = reference_->step(motion);
-            const double time = watch.nanoseconds() / static_cast<double>(place_.size());
+            const double time = watch.nanoseconds() / static_cast<double>(position_.size());
             beside_.add(step, twin_->step(motion), motion, reference_cycle_);
             return time;
         },
@@ -157,7 +157,7 @@ void SceneBench::add_competitors() {
             const int sorts = list_->sorts();
             const Watch watch(true);
             forces ? list_->step(motion) : list_->search(motion);
-            const double time = watch.nanoseconds() / static_cast<double>(place_.size());
+            const double time = watch.nanoseconds() / static_cast<double>(position_.size());
             if (list_->sorts() == sorts) return time + sort_ns_;
         }
     };
@@ -165,7 +165,8 @@ void SceneBench::add_competitors() {
     list_->step(scene_.motion(list_cycle_++));
     const Watch watch(true);
     list_->sort();
-    sort_ns_ = watch.nanoseconds() / static_cast<double>(place_.size()) / (list_->sizes().margin / scene_.step_length);
+    sort_ns_ =
+        watch.nanoseconds() / static_cast<double>(position_.size()) / (list_->sizes().margin / scene_.step_length);
     rounds_.add(listed_search, [next] { return next(false); });
     rounds_.add(listed, [next] { return next(true); });
 }
@@ -174,13 +175,14 @@ void SceneBench::run() {
     const optimized::PathCounts before = run_.contact().paths();
     row_.repeats = rounds_.run(effort_.repeats, effort_.seconds);
     const optimized::PathCounts after = run_.contact().paths();
-    const double asked = std::max(1.0, static_cast<double>(after.nodes - before.nodes));
+    const double nodes = std::max(1.0, static_cast<double>(after.nodes - before.nodes));
     if (after.nodes > before.nodes)
-        row_.paths = {{"certified", static_cast<double>(after.certified - before.certified) / asked},
-                      {"steady", static_cast<double>(after.steady - before.steady) / asked},
-                      {"paired", static_cast<double>(after.paired - before.paired) / asked},
-                      {"quiet", static_cast<double>(after.quiet - before.quiet) / asked},
-                      {"searched", static_cast<double>(after.searched - before.searched) / asked}};
+        row_.paths = {
+            {"exclusive_region", static_cast<double>(after.exclusive_region - before.exclusive_region) / nodes},
+            {"ranking_safe", static_cast<double>(after.ranking_safe - before.ranking_safe) / nodes},
+            {"edge_neighbour", static_cast<double>(after.edge_neighbour - before.edge_neighbour) / nodes},
+            {"separated", static_cast<double>(after.separated - before.separated) / nodes},
+            {"searched", static_cast<double>(after.searched - before.searched) / nodes}};
     judge();
     add_ratio("reference step / coherent step", reference_step, coherent);
     add_ratio("Embree's full search / coherent selection", embree, select);
@@ -188,7 +190,7 @@ void SceneBench::run() {
     add_ratio("Embree's full search / coherent step", embree, coherent);
     add_ratio("Embree's full search / full search", embree, full);
     add_ratio("CGAL's full search in double / full search", cgal, full);
-    add_ratio("candidate list / coherent step with the report", listed, whole);
+    add_ratio("candidate list / coherent step with the report", listed, with_report);
     add_ratio("candidate list / coherent step", listed, coherent);
     add_ratio("full search / the same in plain double (cost of exactness)", full, plain);
     result_.scenes.push_back(row_);

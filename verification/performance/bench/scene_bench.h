@@ -21,7 +21,7 @@ namespace type21::bench {
 namespace method {
 inline const std::string coherent = "optimized, coherent step", select = "optimized, coherent selection",
                          project = "optimized, coherent selection and projection",
-                         whole = "optimized, coherent step with the report", full = "optimized, full search",
+                         with_report = "optimized, coherent step with the report", full = "optimized, full search",
                          plain = "plain double, full search", reference_step = "reference, step",
                          embree = "Embree, point query with double callback",
                          cgal = "CGAL AABB tree, closest point in double",
@@ -49,13 +49,13 @@ class SceneBench {
   private:
     ContactRun set_up();
     template <class Make>
-    auto timed_set_up(const std::string& who, const Make& make);
-    /// Times one round of questions of a full search over the next part of the nodes: all of them by ask_all(first,
-    /// count), or each by ask(i).
-    template <class Ask>
-    double ask_part(size_t& start, const Ask& ask_all);
-    template <class Ask>
-    double ask(size_t& start, const Ask& ask);
+    auto timed_set_up(const std::string& method, const Make& make);
+    /// Times one round of a full search over the next part of the nodes: all of them by decide_all(first, count), or
+    /// one by one by decide(i).
+    template <class Decide>
+    double time_part(size_t& start, const Decide& decide_all);
+    template <class Decide>
+    double time_each(size_t& start, const Decide& decide);
     std::span<const double> gaps() const { return scene_.card().secondary.gap; }
     void add_row(const std::string& name, const std::string& finds, bool history, long decisions, long wrong,
                  const std::string& note = {});
@@ -73,7 +73,7 @@ class SceneBench {
     SceneRow row_;
     ContactRun run_;
     std::unique_ptr<optimized::Laws> laws_;
-    std::vector<optimized::V3> place_;
+    std::vector<optimized::V3> position_;
     std::unique_ptr<BareRun> select_, project_;
     std::unique_ptr<FullSearch> full_;
     std::unique_ptr<PlainSearch> plain_;

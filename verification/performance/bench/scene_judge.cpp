@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "verification/performance/bench/exact_decisions.h"
 #include "verification/performance/bench/scene_bench.h"
-#include "verification/performance/bench/truth.h"
 
 namespace type21::bench {
 
@@ -35,15 +35,15 @@ void SceneBench::add_ratio(const std::string& what, const std::string& slow, con
 
 /// Decisions of one cycle against the exact ones.
 void SceneBench::judge() {
-    const long n = static_cast<long>(place_.size());
+    const long n = static_cast<long>(position_.size());
     std::vector<Decision> truth;
     std::array<long, 4> settled{};
     long step_decisions = n, step_wrong = 0, select_wrong = 0, project_wrong = 0, full_wrong = 0, plain_wrong = 0,
          list_wrong = 0, in_contact = 0;
     if (generated()) {
         tbb::task_arena several(options_.threads.back());
-        truth = several.execute([&] { return Truth(scene_).at(scene_.motion(0)); });
-        // With all that the nodes remember of later places.
+        truth = several.execute([&] { return ExactDecisions(scene_).at(scene_.motion(0)); });
+        // With what the nodes remember of later positions.
         const ContactStep step = run_.contact().step(scene_.motion(0));
         for (size_t i = 0; i < truth.size(); ++i) {
             step_wrong += !same(step.nodes[i].decision, truth[i]);
@@ -56,10 +56,10 @@ void SceneBench::judge() {
         project_->bare.step(later, BareStep::Until::decide);
         const std::vector<Decision> selected = select_->bare.decisions(), projected = project_->bare.decisions();
         FullSearch fresh(*laws_);
-        std::vector<Decision> full_found(place_.size()), plain_found(place_.size());
-        fresh.at(place_, gaps(), full_found);
+        std::vector<Decision> full_found(position_.size()), plain_found(position_.size());
+        fresh.at(position_, gaps(), full_found);
         settled = fresh.settled();
-        plain_->at(place_, gaps(), scene_.card().depth, plain_found);
+        plain_->at(position_, gaps(), scene_.card().depth, plain_found);
         for (size_t i = 0; i < truth.size(); ++i) {
             select_wrong += !same(selected[i], truth[i]);
             project_wrong += !same(projected[i], truth[i]);
@@ -71,7 +71,8 @@ void SceneBench::judge() {
                           l.triangle != truth[i].triangle;
         }
         const auto share = [&](size_t i) { return static_cast<double>(settled[i]) / static_cast<double>(n); };
-        row_.stage_counts = {{"filter", share(0)}, {"tie", share(1)}, {"fine", share(2)}, {"whole", share(3)}};
+        row_.stage_counts = {
+            {"filter", share(0)}, {"tie", share(1)}, {"double_double", share(2)}, {"integer", share(3)}};
     } else {
         const CheckPart check = check_deck(scene_, 10 * n);
         step_wrong = check.different;
@@ -82,10 +83,10 @@ void SceneBench::judge() {
     }
     row_.in_contact = static_cast<double>(in_contact) / static_cast<double>(n);
     add_row(coherent, "impact and forces", true, step_decisions, step_wrong,
-            run_.has_lean() ? "" : "this scene has no lean step: the whole one");
-    add_row(whole, "impact and forces", true, step_decisions, step_wrong);
+            run_.has_lean() ? "" : "this scene has no lean step: the full one");
+    add_row(with_report, "impact and forces", true, step_decisions, step_wrong);
     if (generated()) {
-        add_row(select, "who is retained", true, n, select_wrong);
+        add_row(select, "segment", true, n, select_wrong);
         add_row(project, "impact", true, n, project_wrong);
         add_row(full, "impact", false, n, full_wrong);
         add_row(plain, "impact", false, n, plain_wrong);
@@ -100,26 +101,26 @@ void SceneBench::judge() {
     add_row(listed, "impact and forces", true, n, list_wrong, note);
 }
 
-/// The nearest that any of them found is taken for true.
+/// The nearest point that any of them found counts as the right one.
 void SceneBench::judge_closest() {
-    const size_t n = std::min(place_.size(), static_cast<size_t>(effort_.questions));
+    const size_t n = std::min(position_.size(), static_cast<size_t>(effort_.questions));
     const double reach2 = way_of_reach() * way_of_reach();
-    std::vector<std::pair<std::string, const ClosestPoint*>> asked{{cgal, cgal_.get()}, {epick, epick_.get()}};
-    if (embree_) asked.insert(asked.begin(), {embree, embree_.get()});
-    std::vector<long> wrong(asked.size());
-    std::vector<double> d(asked.size());
+    std::vector<std::pair<std::string, const ClosestPoint*>> methods{{cgal, cgal_.get()}, {epick, epick_.get()}};
+    if (embree_) methods.insert(methods.begin(), {embree, embree_.get()});
+    std::vector<long> wrong(methods.size());
+    std::vector<double> d(methods.size());
     for (size_t i = 0; i < n; ++i) {
-        const Vec3 p = to_vec3(place_[i]);
-        for (size_t j = 0; j < asked.size(); ++j)
-            d[j] = asked[j].second->at(p).distance2;
+        const Vec3 p = to_vec3(position_[i]);
+        for (size_t j = 0; j < methods.size(); ++j)
+            d[j] = methods[j].second->at(p).distance2;
         const double least = *std::min_element(d.begin(), d.end());
         // Relative to the coordinates: a distance is a difference of them.
         const double size = p.cwiseAbs().maxCoeff();
-        for (size_t j = 0; j < asked.size(); ++j)
+        for (size_t j = 0; j < methods.size(); ++j)
             wrong[j] += least <= reach2 && !(std::sqrt(d[j]) <= std::sqrt(least) * (1 + 1e-9) + 1e-14 * size);
     }
-    for (size_t j = 0; j < asked.size(); ++j)
-        add_row(asked[j].first, "closest point", false, static_cast<long>(n), wrong[j]);
+    for (size_t j = 0; j < methods.size(); ++j)
+        add_row(methods[j].first, "closest point", false, static_cast<long>(n), wrong[j]);
 }
 
 }  // namespace type21::bench

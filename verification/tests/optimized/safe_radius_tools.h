@@ -5,9 +5,9 @@
 
 namespace type21::optimized::testing {
 
-inline constexpr double reach = 0.15;
+inline constexpr double largest_reach = 0.15;
 
-inline std::vector<Tool> ball_tools() {
+inline std::vector<Tool> safe_radius_tools() {
     std::vector<Tool> made;
     for (const bool triangles : {false, true}) {
         made.push_back(grid(
@@ -24,7 +24,7 @@ inline std::vector<Tool> ball_tools() {
 
 /// Anywhere over a sub-triangle, a little beyond its sides, too.
 inline V3 somewhere_over(const Tool& tool, std::mt19937_64& random) {
-    std::uniform_real_distribution<double> unit(-0.2, 1), height(-1.3 * reach, 1.3 * reach);
+    std::uniform_real_distribution<double> unit(-0.2, 1), height(-1.3 * largest_reach, 1.3 * largest_reach);
     const SegmentData s = tool.segment(static_cast<int>(random() % static_cast<unsigned>(tool.size())));
     double b = unit(random), c = unit(random);
     if (b + c > 1.2) {

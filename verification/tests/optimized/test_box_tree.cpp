@@ -58,13 +58,13 @@ TEST_P(BoxTreeOf, FindsWhatAllBoxesSay) {
                     EXPECT_TRUE(exact >= around || near.contains(static_cast<int>(i)));
                 }
             }
-            Box asked;
-            asked.extend(y);
-            asked.extend(y + V3{0.3, 0.1, 0.2});
+            Box box;
+            box.extend(y);
+            box.extend(y + V3{0.3, 0.1, 0.2});
             std::set<int> meeting;
-            tree.meeting(asked, [&](int rank) { meeting.insert(rank); });
+            tree.meeting(box, [&](int rank) { meeting.insert(rank); });
             for (size_t i = 0; i < boxes.size(); ++i)
-                EXPECT_TRUE(!boxes[i].meets(asked) || meeting.contains(static_cast<int>(i)));
+                EXPECT_TRUE(!boxes[i].meets(box) || meeting.contains(static_cast<int>(i)));
         }
     }
 }
@@ -125,7 +125,7 @@ TEST(BoxTree, HidesNothingTinyOrBeyondSquares) {
 
 /// Quads, triangles and both in one tool; slivers and normals that lean far, where prisms are grown.
 TEST(SegmentBoxes, HoldThePrismsAndHardlyMore) {
-    const Limits limits{0.1, 0.05, 0.01, false};
+    const CaptureLimits limits{0.1, 0.05, 0.01, false};
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto direction = [&] { return V3{unit(random), unit(random), 1.2}; };
@@ -154,12 +154,12 @@ TEST(SegmentBoxes, HoldThePrismsAndHardlyMore) {
                     for (int s = 0; s < tool.size(); ++s) {
                         Box prisms, grown;
                         bool all_grown = true;
-                        for (int k = 1; k <= tool.segment(s).pieces(); ++k) {
-                            CaptureVolume one = prism(tool.segment(s), k, limits);
+                        for (int k = 1; k <= tool.segment(s).sub_triangles(); ++k) {
+                            CaptureVolume one = capture_volume(tool.segment(s), k, limits);
                             prisms.extend(one.box().low);
                             prisms.extend(one.box().high);
-                            all_grown = all_grown && one.grown;
-                            one.grown = true;
+                            all_grown = all_grown && one.distance_only;
+                            one.distance_only = true;
                             grown.extend(one.box().low);
                             grown.extend(one.box().high);
                         }
@@ -174,7 +174,7 @@ TEST(SegmentBoxes, HoldThePrismsAndHardlyMore) {
                         }
                     }
                 }
-                // Where a normal leans back prism() alone sees that nothing is taken off the plane.
+                // Where a normal leans back capture_volume() alone sees that nothing is taken off the plane.
                 EXPECT_GT(exact, !leans && thin == 1 ? 150 : -1);
             }
         }
@@ -187,23 +187,23 @@ TEST(Gather, FillsTheSameRowsOnEachMachine) {
         const Tool tool = testing::grid(
             5, [](double x, double y) { return x * y; }, triangles, 0.3);
         for (const int count : {1, 3, 4, 7, 64}) {
-            std::vector<int> place;
+            std::vector<SubTriangleId> id;
             for (int i = 0; i < count; ++i)
-                place.push_back(place_of(static_cast<int>(random() % static_cast<unsigned>(tool.size())),
-                                         triangles ? 1 : 1 + static_cast<int>(random() % 4)));
+                id.emplace_back(static_cast<int>(random() % static_cast<unsigned>(tool.size())),
+                                triangles ? 1 : 1 + static_cast<int>(random() % 4));
             for (const SimdWidth machine : {SimdWidth::two, SimdWidth::four}) {
                 if (machine > this_machine()) continue;
                 auto rows = std::make_unique<ProjectionBatch>();
-                gather(*rows, tool, place.data(), 0, count, 0.2, machine);
-                for (size_t i = 0; i < place.size(); ++i) {
-                    const int segment = segment_of(place[i]);
+                gather(*rows, tool, id.data(), 0, count, 0.2, machine);
+                for (size_t i = 0; i < id.size(); ++i) {
+                    const int segment = id[i].segment();
                     for (int j = 0; j < 4; ++j) {
                         for (int a = 0; a < 3; ++a) {
                             EXPECT_EQ(rows->corner[j][a][i], tool.node(segment, j)[a]);
                             EXPECT_EQ(rows->normal[j][a][i], tool.normal(segment, j)[a]);
                         }
                     }
-                    EXPECT_EQ(rows->code[i], triangles ? 4 : piece_of(place[i]) - 1);
+                    EXPECT_EQ(rows->code[i], triangles ? 4 : id[i].triangle() - 1);
                     EXPECT_GT(rows->size[i], tool.extent(segment));
                 }
             }

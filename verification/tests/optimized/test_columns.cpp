@@ -9,7 +9,7 @@
 namespace type21::optimized {
 namespace {
 
-constexpr int room = 40;
+constexpr int capacity = 40;
 constexpr double untouched = -7;
 
 std::vector<Vec3> numbered(int count) {
@@ -24,13 +24,14 @@ class Columns : public ::testing::TestWithParam<SimdWidth> {
     void SetUp() override {
         if (GetParam() > this_machine()) GTEST_SKIP() << "this processor has no such registers";
     }
-    std::array<std::vector<double>, 3> rows_{std::vector<double>(room, untouched), std::vector<double>(room, untouched),
-                                             std::vector<double>(room, untouched)};
+    std::array<std::vector<double>, 3> rows_{std::vector<double>(capacity, untouched),
+                                             std::vector<double>(capacity, untouched),
+                                             std::vector<double>(capacity, untouched)};
     Components components() { return {rows_[0].data(), rows_[1].data(), rows_[2].data()}; }
 };
 
 TEST_P(Columns, TurnWhatStandsInOrder) {
-    for (int count = 0; count <= room; ++count) {
+    for (int count = 0; count <= capacity; ++count) {
         std::vector<V3> from;
         for (const Vec3& v : numbered(count))
             from.push_back({v[0], v[1], v[2]});
@@ -39,11 +40,11 @@ TEST_P(Columns, TurnWhatStandsInOrder) {
             std::fill(row.begin(), row.end(), untouched);
         into_rows(from.data(), count, components(), GetParam());
         for (int a = 0; a < 3; ++a)
-            for (int j = 0; j < room; ++j)
+            for (int j = 0; j < capacity; ++j)
                 ASSERT_EQ(rows_[static_cast<size_t>(a)][static_cast<size_t>(j)], j < count ? 10 * j + a : untouched);
-        std::vector<V3> back(room + 1, V3{untouched, untouched, untouched});
+        std::vector<V3> back(capacity + 1, V3{untouched, untouched, untouched});
         from_rows(ConstComponents{rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, back.data(), GetParam());
-        for (int j = 0; j < room; ++j)
+        for (int j = 0; j < capacity; ++j)
             for (int a = 0; a < 3; ++a)
                 ASSERT_EQ(back[static_cast<size_t>(j)][a], j < count ? 10 * j + a : untouched) << count;
     }
@@ -53,7 +54,7 @@ TEST_P(Columns, TurnWhatIsChosen) {
     std::mt19937 random(5);
     const std::vector<Vec3> from = numbered(200);
     for (int round = 0; round < 400; ++round) {
-        const int count = static_cast<int>(random() % (room + 1));
+        const int count = static_cast<int>(random() % (capacity + 1));
         // Runs of neighbours, with jumps ahead and back, and the same one twice.
         std::vector<int> index;
         int next = static_cast<int>(random() % 100);
@@ -71,33 +72,33 @@ TEST_P(Columns, TurnWhatIsChosen) {
     }
 }
 
-TEST_P(Columns, BallsHoldWhatEachHolds) {
+TEST_P(Columns, RecallTheSameOnAllMachines) {
     std::mt19937 random(6);
     std::normal_distribution<double> number;
     std::array<int, 5> met{};
-    for (int count = 0; count <= room; ++count) {
-        std::vector<Memory> memory(room);
-        for (int j = 0; j < room; ++j) {
+    for (int count = 0; count <= capacity; ++count) {
+        std::vector<Memory> memory(capacity);
+        for (int j = 0; j < capacity; ++j) {
             Memory& one = memory[static_cast<size_t>(j)];
-            one.place = static_cast<int>(random() % 5) - 1;
-            one.from = {number(random), number(random), number(random)};
+            one.last = SubTriangleId::from_code(static_cast<int>(random() % 5) - 1);
+            one.center = {number(random), number(random), number(random)};
             one.radius = random() % 5 == 0 ? 0.0F : static_cast<float>(number(random));
-            one.held = random() % 3 == 0 ? 0.0F : 0.7F * static_cast<float>(number(random));
+            one.contact_safe = random() % 3 == 0 ? 0.0F : 0.7F * static_cast<float>(number(random));
             for (int a = 0; a < 3; ++a)
-                rows_[static_cast<size_t>(a)][static_cast<size_t>(j)] = one.from[a] + 0.5 * number(random);
+                rows_[static_cast<size_t>(a)][static_cast<size_t>(j)] = one.center[a] + 0.5 * number(random);
         }
         const float small = count % 4 == 0 ? HUGE_VALF : 0.1F * static_cast<float>(count % 4);
         Recalled found;
-        std::fill_n(found.what, Recalled::room, 5);
+        std::fill_n(found.what, Recalled::capacity, 5);
         found.find(memory.data(), {rows_[0].data(), rows_[1].data(), rows_[2].data()}, count, small, GetParam());
         for (int j = 0; j < count; ++j) {
             const auto i = static_cast<size_t>(j);
             const int what = Recalled::of(memory[i], {rows_[0][i], rows_[1][i], rows_[2][i]}, small);
             ASSERT_EQ(found.what[j], what) << count << " " << j;
-            ASSERT_EQ(found.place[j], memory[i].place);
+            ASSERT_EQ(found.last[j], memory[i].last);
             ++met[static_cast<size_t>(what)];
         }
-        for (int j = count; j < room; ++j)
+        for (int j = count; j < capacity; ++j)
             ASSERT_EQ(found.what[j], 5);
     }
     for (const int times : met)

@@ -30,7 +30,7 @@ std::vector<Tool> tools() {
 }
 
 /// A node near side `side` of a sub-triangle, at a small height over it.
-V3 near_side(const SegmentData& s, int piece, int side, std::mt19937_64& random) {
+V3 near_side(const SegmentData& s, int triangle, int side, std::mt19937_64& random) {
     std::uniform_real_distribution<double> along(0, 1), across(-0.013, 0.013), height(-0.08, 0.08);
     std::array<double, 3> w{};
     const auto i = static_cast<size_t>(side);
@@ -38,9 +38,9 @@ V3 near_side(const SegmentData& s, int piece, int side, std::mt19937_64& random)
     w[i] = across(random) * scales[random() % 4];
     w[(i + 1) % 3] = (1 - w[i]) * along(random);
     w[(i + 2) % 3] = 1 - w[i] - w[(i + 1) % 3];
-    const PieceCorners k = piece_corners(s.triangle, piece);
+    const SubTriangleCorners k = sub_triangle_corners(s.is_triangle, triangle);
     const auto at = [&](const std::array<V3, 4>& v) {
-        const V3 a = s.triangle ? v[2] : (((v[0] + v[1]) + v[2]) + v[3]) * 0.25;
+        const V3 a = s.is_triangle ? v[2] : (((v[0] + v[1]) + v[2]) + v[3]) * 0.25;
         return a * w[0] + v[static_cast<size_t>(k.b)] * w[1] + v[static_cast<size_t>(k.c)] * w[2];
     };
     return at(s.node) + at(s.normal) * height(random);
@@ -56,50 +56,50 @@ bool same_bits(const ProjectionResult& one, const ProjectionResult& other) {
 
 TEST(Pairs, DecideAsTheTreeDoes) {
     std::mt19937_64 random(3);
-    const ContactReach window{0.1, 0.1, 0};
+    const ContactReach reach{0.1, 0.1, 0};
     const ProjectionLimits rules;
     for (const Tool& tool : tools()) {
         const Search search(tool, {0.1, 0.1, 0.01, false}, {});
         auto batch = std::make_unique<Search::Batch>();
-        batch->depth = window.depth;
-        std::vector<Memory> memory(Search::Batch::room);
+        batch->depth = reach.depth;
+        std::vector<Memory> memory(Search::Batch::capacity);
         batch->memory = memory.data();
-        int paired = 0, fine = 0;
+        int neighbours = 0, double_double = 0;
         for (int round = 0; round < 40; ++round) {
-            batch->count = Search::Batch::room - static_cast<int>(random() % 9);
+            batch->count = Search::Batch::capacity - static_cast<int>(random() % 9);
             for (int i = 0; i < batch->count; ++i) {
                 const int segment = static_cast<int>(random() % static_cast<unsigned>(tool.size()));
                 const SegmentData s = tool.segment(segment);
-                const int piece = 1 + static_cast<int>(random() % static_cast<unsigned>(s.pieces()));
-                const V3 y = near_side(s, piece, static_cast<int>(random() % 3), random);
+                const int triangle = 1 + static_cast<int>(random() % static_cast<unsigned>(s.sub_triangles()));
+                const V3 y = near_side(s, triangle, static_cast<int>(random() % 3), random);
                 for (int a = 0; a < 3; ++a)
                     batch->y[a][i] = y[a];
-                batch->gap[i] = window.gap;
+                batch->gap[i] = reach.gap;
                 memory[static_cast<size_t>(i)] = {};
-                if (random() % 16 != 0) memory[static_cast<size_t>(i)].look_at(place_of(segment, piece));
-                batch->asked[i] = true;
+                if (random() % 16 != 0) memory[static_cast<size_t>(i)].look_at(SubTriangleId(segment, triangle));
+                batch->active[i] = true;
             }
             search.find(*batch, rules);
             for (int i = 0; i < batch->count; ++i) {
                 const V3 y{batch->y[0][i], batch->y[1][i], batch->y[2][i]};
                 Memory fresh;
-                const Retained found = batch->retained(i), expected = search.find(y, window, rules, fresh).retained;
-                ASSERT_EQ(found.segment, expected.segment) << y.x << " " << y.y << " " << y.z;
-                if (expected.segment < 0) continue;
-                ASSERT_EQ(found.piece, expected.piece);
-                ASSERT_EQ(found.landing.kind, expected.landing.kind);
-                ASSERT_EQ(found.landing.side, expected.landing.side);
-                ASSERT_TRUE(same_bits(found.landing, expected.landing));
-                const V3 x = landed_at(tool.segment(found.segment), found.piece, found.landing.b, found.landing.c);
+                const Retained found = batch->retained(i), expected = search.find(y, reach, rules, fresh).retained;
+                ASSERT_EQ(found.id, expected.id) << y.x << " " << y.y << " " << y.z;
+                if (!expected.exists()) continue;
+                ASSERT_EQ(found.projection.kind, expected.projection.kind);
+                ASSERT_EQ(found.projection.side, expected.projection.side);
+                ASSERT_TRUE(same_bits(found.projection, expected.projection));
+                const V3 x = point_at(tool.segment(found.id.segment()), found.id.triangle(), found.projection.b,
+                                      found.projection.c);
                 ASSERT_EQ(x.x, batch->x[0][i]);
                 ASSERT_EQ(x.y, batch->x[1][i]);
                 ASSERT_EQ(x.z, batch->x[2][i]);
-                paired += batch->path[i] == Path::paired;
-                fine += batch->path[i] == Path::paired && batch->settled[i] == Settled::fine;
+                neighbours += batch->path[i] == Path::edge_neighbour;
+                double_double += batch->path[i] == Path::edge_neighbour && batch->settled[i] == Settled::double_double;
             }
         }
-        EXPECT_GT(paired, 1000);
-        RecordProperty("fine", fine);
+        EXPECT_GT(neighbours, 1000);
+        RecordProperty("double_double", double_double);
     }
 }
 
@@ -108,7 +108,7 @@ TEST(Machines, GiveTheSameBits) {
         6, [](double x, double y) { return 0.3 * (x * x + y * y); }, false, 0.2);
     std::mt19937_64 random(5);
     const auto fill = [&](ProjectionBatch& rows) {
-        for (int i = 0; i < ProjectionBatch::room; ++i) {
+        for (int i = 0; i < ProjectionBatch::capacity; ++i) {
             const int segment = i % tool.size();
             const SegmentData s = tool.segment(segment);
             const V3 y = near_side(s, 1 + i % 4, i % 3, random);
@@ -120,7 +120,7 @@ TEST(Machines, GiveTheSameBits) {
                 }
             }
             rows.code[i] = i % 4;
-            rows.core[i] = 0.02;
+            rows.exclusive_margin[i] = 0.02;
             rows.size[i] = 1;
             rows.gap[i] = 0.1;
         }
@@ -128,18 +128,18 @@ TEST(Machines, GiveTheSameBits) {
     auto first = std::make_unique<ProjectionBatch>();
     fill(*first);
     const auto two = std::make_unique<ProjectionBatch>(*first);
-    FineKappaRows fine_two{};
-    const LandingLimits limits{0.1, 0.1, 0.1, 0, true};
-    project_double(*two, 0, ProjectionBatch::room, limits, SimdWidth::two);
-    project_double_double(*two, ProjectionBatch::room, fine_two, SimdWidth::two);
+    KappaRows kappa_two{};
+    const BatchLimits limits{0.1, 0.1, 0.1, 0, true};
+    project_double(*two, 0, ProjectionBatch::capacity, limits, SimdWidth::two);
+    project_double_double(*two, ProjectionBatch::capacity, kappa_two, SimdWidth::two);
     for (const SimdWidth machine : {SimdWidth::four, SimdWidth::eight}) {
         if (machine > this_machine()) continue;
         const auto wide = std::make_unique<ProjectionBatch>(*first);
-        FineKappaRows fine{};
-        project_double(*wide, 0, ProjectionBatch::room, limits, machine);
-        project_double_double(*wide, ProjectionBatch::room, fine, machine);
+        KappaRows kappa{};
+        project_double(*wide, 0, ProjectionBatch::capacity, limits, machine);
+        project_double_double(*wide, ProjectionBatch::capacity, kappa, machine);
         EXPECT_EQ(std::memcmp(two.get(), wide.get(), sizeof(ProjectionBatch)), 0) << static_cast<int>(machine);
-        EXPECT_EQ(std::memcmp(&fine_two, &fine, sizeof(fine)), 0) << static_cast<int>(machine);
+        EXPECT_EQ(std::memcmp(&kappa_two, &kappa, sizeof(kappa)), 0) << static_cast<int>(machine);
     }
 }
 

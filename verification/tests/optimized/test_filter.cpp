@@ -1,4 +1,4 @@
-// What the filter proves must be what whole numbers say, near every limit and on every shape.
+// What the filter proves must be what integers say, near every limit and on every shape.
 #include <gtest/gtest.h>
 
 #include "verification/tests/optimized/test_tools.h"
@@ -15,7 +15,7 @@ struct Shape {
 struct HostScene {
     SegmentData segment;
     V3 p;
-    ContactReach window;
+    ContactReach reach;
 };
 
 HostScene random_scene(std::mt19937_64& random, const Shape& shape) {
@@ -27,19 +27,19 @@ HostScene random_scene(std::mt19937_64& random, const Shape& shape) {
                   (shape.offset + z) * shape.scale};
     };
     HostScene scene;
-    scene.segment.triangle = random() % 3 == 0;
+    scene.segment.is_triangle = random() % 3 == 0;
     const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
     for (size_t j = 0; j < 4; ++j) {
         scene.segment.node[j] = place(x[j] + shape.noise * r(), y[j] + shape.noise * r(), shape.noise * r());
         scene.segment.normal[j] = {shape.noise * r(), shape.noise * r(), 1};
     }
-    if (scene.segment.triangle) {
+    if (scene.segment.is_triangle) {
         scene.segment.node[3] = scene.segment.node[2];
         scene.segment.normal[3] = scene.segment.normal[2];
     }
     const double h = random() % 4 == 0 ? 0.0 : 0.5 * r();
     scene.p = place(0.5 + 0.8 * r(), 0.5 + 0.8 * r(), h);
-    scene.window = {0.25 * shape.scale, 0.5 * shape.scale, random() % 2 == 0 ? 0.0 : 0.4 * shape.scale};
+    scene.reach = {0.25 * shape.scale, 0.5 * shape.scale, random() % 2 == 0 ? 0.0 : 0.4 * shape.scale};
     return scene;
 }
 
@@ -52,27 +52,27 @@ TEST_P(Filter, ProvesOnlyWhatIsTrue) {
     for (int i = 0; i < scenes; ++i) {
         const HostScene s = random_scene(random, GetParam());
         const LocalSegment local = local_segment(s.segment);
-        for (int k = 1; k <= s.segment.pieces(); ++k) {
-            const ExactLanding exact = exact_landing(s.p, s.segment, k, s.window, {});
-            FineKappa kappa;
-            const FilterResult fine = fine_filter(s.p, s.segment, k, s.window, {}, kappa);
-            if (fine.verdict != Verdict::unsure) {
-                ASSERT_EQ(fine.verdict == Verdict::taken, exact.taken) << "scene " << i << " piece " << k;
+        for (int k = 1; k <= s.segment.sub_triangles(); ++k) {
+            const ExactProjection exact = project_exact(s.p, s.segment, k, s.reach, {});
+            KappaDoubleDouble kappa;
+            const FilterResult precise = filter_double_double(s.p, s.segment, k, s.reach, {}, kappa);
+            if (precise.verdict != Verdict::unsure) {
+                ASSERT_EQ(precise.verdict == Verdict::taken, exact.taken) << "scene " << i << " triangle " << k;
             }
-            if (fine.verdict == Verdict::taken) {
-                ASSERT_EQ(fine.landing.kind, exact.landing.kind);
+            if (precise.verdict == Verdict::taken) {
+                ASSERT_EQ(precise.projection.kind, exact.projection.kind);
                 // The exact kappa, rounded to double and what that leaves, against the two doubles.
                 const mpq_class truth(exact.kappa_over, 3 * exact.kappa_under);
                 const mpq_class found = mpq_class(kappa.value.high) + mpq_class(kappa.value.low);
-                ASSERT_TRUE(abs(truth - found) <= mpq_class(kappa.bound)) << "scene " << i << " piece " << k;
+                ASSERT_TRUE(abs(truth - found) <= mpq_class(kappa.bound)) << "scene " << i << " triangle " << k;
             }
-            const FilterResult fast = filter(s.p, s.segment, local, k, s.window, {});
+            const FilterResult fast = filter(s.p, s.segment, local, k, s.reach, {});
             if (fast.verdict == Verdict::unsure) continue;
             ++proven;
-            ASSERT_EQ(fast.verdict == Verdict::taken, exact.taken) << "scene " << i << " piece " << k;
+            ASSERT_EQ(fast.verdict == Verdict::taken, exact.taken) << "scene " << i << " triangle " << k;
             if (!exact.taken) continue;
             ++taken;
-            const ProjectionResult &f = fast.landing, &e = exact.landing;
+            const ProjectionResult &f = fast.projection, &e = exact.projection;
             ASSERT_EQ(f.kind, e.kind);
             if (f.side != 0) {
                 ASSERT_EQ(f.side, e.side);
@@ -102,10 +102,10 @@ TEST(FilterRange, GivesUpWhereItsBoundsDoNotHold) {
         s.node = {V3{0, 0, 0}, V3{scale, 0, 0}, V3{scale, scale, 0}, V3{0, scale, 0}};
         s.normal = {V3{0, 0, 1}, V3{0, 0, 1}, V3{0, 0, 1}, V3{0, 0, 1}};
         const V3 p{0.5 * scale, 0.25 * scale, 0.125 * scale};
-        const ContactReach window{0.5 * scale, scale, 0};
-        EXPECT_EQ(filter(p, s, local_segment(s), 1, window, {}).verdict, Verdict::unsure) << scale;
+        const ContactReach reach{0.5 * scale, scale, 0};
+        EXPECT_EQ(filter(p, s, local_segment(s), 1, reach, {}).verdict, Verdict::unsure) << scale;
         if (scale > 1e-300) {
-            EXPECT_TRUE(exact_landing(p, s, 1, window, {}).taken) << scale;
+            EXPECT_TRUE(project_exact(p, s, 1, reach, {}).taken) << scale;
         }
     }
 }

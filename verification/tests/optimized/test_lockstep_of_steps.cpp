@@ -34,7 +34,7 @@ bool same(const Decision& one, const Decision& other) {
            one.side == other.side;
 }
 
-/// What whole numbers say of secondary node i over all segments, without filter, certificate and tree.
+/// What integers say of secondary node i over all segments, without filter, certificate and tree.
 class Truth {
   public:
     Truth(const Scene& scene, int interface)
@@ -52,12 +52,12 @@ class Truth {
                 reference::as_built::reach_box_axes(model_.rigid_bodies[static_cast<size_t>(card_.tool)], true);
     }
     bool agrees(const Decision& d, const Vec3& y, double gap) const {
-        const optimized::ContactReach window{gap, card_.depth, proximity_};
+        const optimized::ContactReach reach{gap, card_.depth, proximity_};
         const auto truth = optimized::testing::exhaustive(
-            tool_, optimized::from(y), window, rules_,
-            [&](const optimized::SegmentData& s) { return boxes_.holds(optimized::from(y), s, window); });
-        return truth.segment == d.segment && truth.piece == d.triangle && truth.landing.side == d.side &&
-               truth.landing.kind == d.kind;
+            tool_, optimized::from(y), reach, rules_,
+            [&](const optimized::SegmentData& s) { return boxes_.holds(optimized::from(y), s, reach); });
+        return truth.id == optimized::SubTriangleId(d.segment, d.triangle) && truth.projection.side == d.side &&
+               truth.projection.kind == d.kind;
     }
 
   private:

@@ -1,4 +1,4 @@
-// How long a decision holds: balls around nodes, and the search of many nodes side by side.
+// How long a decision holds: safe radii, and the search of many nodes side by side.
 #include <gtest/gtest.h>
 
 #include "optimized/search/search.h"
@@ -7,89 +7,89 @@
 namespace type21::optimized {
 namespace {
 
-using testing::ball_tools;
 using testing::direction;
 using testing::exhaustive;
-using testing::reach;
+using testing::largest_reach;
+using testing::safe_radius_tools;
 using testing::same;
 using testing::somewhere_over;
 
 void put(const std::vector<V3>& y, double gap, Search::Batch& batch, std::vector<Memory>* memory) {
     batch.count = static_cast<int>(y.size());
-    batch.depth = reach;
+    batch.depth = largest_reach;
     batch.memory = memory == nullptr ? nullptr : memory->data();
     for (int i = 0; i < batch.count; ++i) {
         for (int a = 0; a < 3; ++a)
             batch.y[a][i] = y[static_cast<size_t>(i)][a];
         batch.gap[i] = gap;
-        batch.asked[i] = memory != nullptr;
+        batch.active[i] = memory != nullptr;
     }
 }
 
-TEST(Balls, HoldWhatIsRetained) {
+TEST(SafeRadii, HoldWhatIsRetained) {
     std::mt19937_64 random(6);
     const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>();
-    int steady = 0, quiet = 0, crossed = 0;
+    int ranking_safe = 0, separated = 0, crossed = 0;
     long pairs = 0;
-    for (const Tool& tool : ball_tools()) {
-        const Search search(tool, {reach, reach, 0.01, false}, {});
+    for (const Tool& tool : safe_radius_tools()) {
+        const Search search(tool, {largest_reach, largest_reach, 0.01, false}, {});
         for (int round = 0; round < 8; ++round) {
             std::vector<V3> y;
-            for (int i = 0; i < Search::Batch::room; ++i)
+            for (int i = 0; i < Search::Batch::capacity; ++i)
                 y.push_back(somewhere_over(tool, random));
             std::vector<Memory> memory(y.size());
-            put(y, 0.9 * reach, *batch, &memory);
+            put(y, 0.9 * largest_reach, *batch, &memory);
             search.find(*batch, rules);
             if (round >= 2) {
-                // Again, from where it was retained: near a side the ball is that of two.
+                // Again, from the retained sub-triangle: near a side the radius follows from two sub-triangles.
                 for (Memory& one : memory)
                     one.forget();
                 search.find(*batch, rules);
-                pairs += batch->tally.paired;
+                pairs += batch->tally.edge_neighbour;
             }
             for (const Memory& one : memory) {
                 if (one.radius == 0) continue;
-                ++(one.radius < 0 ? steady : quiet);
-                // Another gap than that of the node: what is remembered does not hang on it.
-                const ContactReach window{reach * (round % 2 == 0 ? 1.0 : 0.7), reach, 0};
+                ++(one.radius < 0 ? ranking_safe : separated);
+                // Another gap than that of the node: what is remembered does not depend on it.
+                const ContactReach reach{largest_reach * (round % 2 == 0 ? 1.0 : 0.7), largest_reach, 0};
                 for (int k = 0; k < 24; ++k) {
-                    const V3 there = one.from + direction(random) * (0.999999 * std::abs(double(one.radius)));
+                    const V3 there = one.center + direction(random) * (0.999999 * std::abs(double(one.radius)));
                     ASSERT_TRUE(one.within(there));
-                    const Retained found = search.search(there, window, rules);
+                    const Retained found = search.search(there, reach, rules);
                     if (one.radius > 0) {
-                        ASSERT_LT(found.segment, 0) << there.x << " " << there.y << " " << there.z;
+                        ASSERT_FALSE(found.exists()) << there.x << " " << there.y << " " << there.z;
                         continue;
                     }
-                    const int s = segment_of(one.place), piece = piece_of(one.place);
-                    if (!exact_landing(there, tool.segment(s), piece, window, rules).taken) {
+                    if (!project_exact(there, tool.segment(one.last.segment()), one.last.triangle(), reach, rules)
+                             .taken) {
                         ++crossed;
                         continue;
                     }
-                    ASSERT_EQ(found.segment, s) << there.x << " " << there.y << " " << there.z;
-                    ASSERT_EQ(found.piece, piece);
+                    ASSERT_EQ(found.id, one.last) << there.x << " " << there.y << " " << there.z;
                 }
             }
         }
     }
-    EXPECT_GT(steady, 3000);
-    EXPECT_GT(quiet, 500);
+    EXPECT_GT(ranking_safe, 3000);
+    EXPECT_GT(separated, 500);
     EXPECT_GT(crossed, 100);
     EXPECT_GT(pairs, 500);
 }
 
-TEST(Balls, TellWhoIsHeldWithoutAProjection) {
+TEST(SafeRadii, DecideWithoutAProjection) {
     std::mt19937_64 random(16);
     const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>();
-    batch->cores = false;
-    int held = 0, nearly_out = 0;
-    for (const Tool& tool : ball_tools()) {
-        const Search search(tool, {reach, reach, 0.01, false}, {});
+    batch->exclusive_regions = false;
+    int contact_safe = 0, nearly_out = 0;
+    for (const Tool& tool : safe_radius_tools()) {
+        const Search search(tool, {largest_reach, largest_reach, 0.01, false}, {});
         for (int round = 0; round < 12; ++round) {
-            const double gap = round % 2 == 0 ? 0.9 * reach : 0.4 * reach, depth = round % 3 == 0 ? 0.3 * reach : reach;
+            const double gap = round % 2 == 0 ? 0.9 * largest_reach : 0.4 * largest_reach,
+                         depth = round % 3 == 0 ? 0.3 * largest_reach : largest_reach;
             std::vector<V3> y;
-            for (int i = 0; i < Search::Batch::room; ++i)
+            for (int i = 0; i < Search::Batch::capacity; ++i)
                 y.push_back(somewhere_over(tool, random));
             std::vector<Memory> memory(y.size());
             put(y, gap, *batch, &memory);
@@ -97,54 +97,54 @@ TEST(Balls, TellWhoIsHeldWithoutAProjection) {
             search.find(*batch, rules);
             search.select(*batch, rules);
             for (const Memory& one : memory) {
-                if (one.held == 0) continue;
-                ++held;
-                ASSERT_LE(std::abs(one.held), -one.radius);
+                if (one.contact_safe == 0) continue;
+                ++contact_safe;
+                ASSERT_LE(std::abs(one.contact_safe), -one.radius);
                 for (int k = 0; k < 24; ++k) {
-                    const V3 there = one.from + direction(random) * (0.999999 * std::abs(double(one.held)));
-                    ASSERT_TRUE(one.within_held(there));
+                    const V3 there = one.center + direction(random) * (0.999999 * std::abs(double(one.contact_safe)));
+                    ASSERT_TRUE(one.within_contact_safe(there));
                     const Retained found = search.search(there, {gap, depth, 0}, rules);
-                    ASSERT_GE(found.segment, 0) << there.x << " " << there.y << " " << there.z;
-                    ASSERT_EQ(place_of(found.segment, found.piece), one.place);
-                    ASSERT_EQ(found.landing.side, one.side());
-                    ASSERT_EQ(found.landing.kind, Kind::contact);
-                    const ProjectionResult& l = found.landing;
+                    ASSERT_TRUE(found.exists()) << there.x << " " << there.y << " " << there.z;
+                    ASSERT_EQ(found.id, one.last);
+                    ASSERT_EQ(found.projection.side, one.side());
+                    ASSERT_EQ(found.projection.kind, Kind::contact);
+                    const ProjectionResult& l = found.projection;
                     const double least = std::min(1 - l.b - l.c, std::min(l.b, l.c));
-                    nearly_out += least < 1e-3 || std::abs(l.lift) < 1e-3 * reach ||
+                    nearly_out += least < 1e-3 || std::abs(l.lift) < 1e-3 * largest_reach ||
                                   std::abs(l.lift) * norm(l.normal) > 0.98 * (l.side > 0 ? gap : depth);
                 }
             }
         }
     }
-    EXPECT_GT(held, 2000);
+    EXPECT_GT(contact_safe, 2000);
     EXPECT_GT(nearly_out, 200);
 }
 
-TEST(Balls, SelectWhatTheSearchFindsAlongAWay) {
+TEST(SafeRadii, SelectWhatTheSearchFindsAlongAPath) {
     std::mt19937_64 random(17);
     const ProjectionLimits rules;
     auto batch = std::make_unique<Search::Batch>(), other = std::make_unique<Search::Batch>();
-    long steady = 0;
-    for (const Tool& tool : ball_tools()) {
-        const Search search(tool, {reach, reach, 0.01, false}, {});
-        for (const bool cores : {false, true}) {
+    long ranking_safe = 0;
+    for (const Tool& tool : safe_radius_tools()) {
+        const Search search(tool, {largest_reach, largest_reach, 0.01, false}, {});
+        for (const bool exclusive_regions : {false, true}) {
             std::vector<V3> y, way;
             for (int i = 0; i < 200; ++i) {
                 y.push_back(somewhere_over(tool, random));
-                way.push_back(direction(random) * (0.002 * reach * static_cast<double>(1 + i % 9)));
+                way.push_back(direction(random) * (0.002 * largest_reach * static_cast<double>(1 + i % 9)));
             }
             std::vector<Memory> memory(y.size());
             for (int cycle = 0; cycle < 60; ++cycle) {
-                batch->cores = cores;
-                put(y, 0.8 * reach, *batch, &memory);
-                put(y, 0.8 * reach, *other, nullptr);
+                batch->exclusive_regions = exclusive_regions;
+                put(y, 0.8 * largest_reach, *batch, &memory);
+                put(y, 0.8 * largest_reach, *other, nullptr);
                 // Steps in between are those of a run.
                 cycle % 7 == 3 ? search.find(*batch, rules) : search.select(*batch, rules);
                 search.search(*other, rules);
-                steady += batch->tally.steady;
+                ranking_safe += batch->tally.ranking_safe;
                 for (int i = 0; i < batch->count; ++i) {
-                    ASSERT_EQ(batch->place[i], other->place[i]) << cycle << " " << i;
-                    if (batch->place[i] < 0) continue;
+                    ASSERT_EQ(batch->id[i], other->id[i]) << cycle << " " << i;
+                    if (!batch->id[i].exists()) continue;
                     ASSERT_EQ(batch->side[i], other->side[i]);
                     ASSERT_EQ(batch->kind[i], other->kind[i]);
                 }
@@ -153,55 +153,57 @@ TEST(Balls, SelectWhatTheSearchFindsAlongAWay) {
             }
         }
     }
-    EXPECT_GT(steady, 20000);
+    EXPECT_GT(ranking_safe, 20000);
 }
 
-TEST(Balls, AreUsedWhileTheNodeStays) {
-    const Tool tool = ball_tools()[1];
-    const Search search(tool, {reach, reach, 0.01, false}, {});
+TEST(SafeRadii, AreUsedWhileTheNodeStays) {
+    const Tool tool = safe_radius_tools()[1];
+    const Search search(tool, {largest_reach, largest_reach, 0.01, false}, {});
     auto batch = std::make_unique<Search::Batch>();
-    batch->cores = false;
+    batch->exclusive_regions = false;
     std::mt19937_64 random(8);
     std::vector<V3> y;
-    for (int i = 0; i < Search::Batch::room; ++i)
+    for (int i = 0; i < Search::Batch::capacity; ++i)
         y.push_back(somewhere_over(tool, random));
     std::vector<Memory> memory(y.size());
-    put(y, reach, *batch, &memory);
+    put(y, largest_reach, *batch, &memory);
     search.find(*batch, {});
     EXPECT_EQ(batch->tally.searched, static_cast<long>(y.size()));
     for (V3& one : y)
         one = one + V3{1e-7, 1e-7, -1e-7};
-    put(y, reach, *batch, &memory);
+    put(y, largest_reach, *batch, &memory);
     search.find(*batch, {});
-    EXPECT_GT(batch->tally.steady + batch->tally.quiet, static_cast<long>(y.size()) * 9 / 10);
+    EXPECT_GT(batch->tally.ranking_safe + batch->tally.separated, static_cast<long>(y.size()) * 9 / 10);
     for (int i = 0; i < batch->count; ++i)
-        EXPECT_TRUE(same(batch->retained(i), exhaustive(tool, y[static_cast<size_t>(i)], {reach, reach, 0}, {})));
+        EXPECT_TRUE(same(batch->retained(i),
+                         exhaustive(tool, y[static_cast<size_t>(i)], {largest_reach, largest_reach, 0}, {})));
 }
 
-/// A node beside a triangle by less than the 1 % of a weight: its landing is clipped, and that point is farther away.
+/// A node beside a triangle by less than the 1 % of a weight: its point is clipped, and the clipped one is farther
+/// away.
 TEST(ManyAtOnce, SeeTheClippedPoint) {
     const Tool tool({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 2}});
     const Search search(tool, {2, 2, 0.01, false}, {});
     auto batch = std::make_unique<Search::Batch>();
     const std::vector<V3> y{{30, -0.9, 0.5}, {30, 0.9, 0.5}, {30, -0.1, 0.5}, {30, -0.9, 1.7}, {-0.6, -0.3, -1.9}};
-    // With what they remember, too: the ball of the first gap holds for all.
+    // With memory as well: the radius of the first gap holds for all.
     std::vector<Memory> memory(y.size());
-    long steady = 0;
+    long ranking_safe = 0;
     for (const double gap : {2.0, 0.505, 1.1, 0.6, 0.45}) {
         for (const bool remembers : {false, true}) {
             put(y, gap, *batch, remembers ? &memory : nullptr);
             batch->depth = 2;
             remembers ? search.find(*batch, {}) : search.search(*batch, {});
-            steady += batch->tally.steady;
+            ranking_safe += batch->tally.ranking_safe;
             for (int i = 0; i < batch->count; ++i)
                 EXPECT_TRUE(same(batch->retained(i), exhaustive(tool, y[static_cast<size_t>(i)], {gap, 2, 0}, {})))
                     << i << " " << gap;
         }
     }
-    EXPECT_GT(steady, 0);
+    EXPECT_GT(ranking_safe, 0);
 }
 
-/// A node that lands beyond an obtuse corner: two weights are clipped to 0, the third to 1.
+/// A node that projects beyond an obtuse corner: two weights are clipped to 0, the third to 1.
 TEST(ManyAtOnce, ClipWeightsAboveOne) {
     const Tool tool({{1, 0.3, 0}, {-1, 0.3, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 1, 2, 2}});
     const Search search(tool, {0.0104, 0.0104, 0.01, false}, {});
@@ -209,7 +211,7 @@ TEST(ManyAtOnce, ClipWeightsAboveOne) {
     const V3 y{1.00002, 0.302994, 0.0005};
     for (const double gap : {0.0104, 0.010385, 0.01038, 0.0103}) {
         std::vector<Memory> memory(1);
-        memory[0].look_at(0);
+        memory[0].look_at({0, 1});
         for (const bool remembers : {false, true}) {
             put({y}, gap, *batch, remembers ? &memory : nullptr);
             batch->depth = 0.0104;
@@ -219,32 +221,32 @@ TEST(ManyAtOnce, ClipWeightsAboveOne) {
     }
 }
 
-TEST(ExclusiveRegionPolicy, WantsCoresWhenManyAreAskedAgain) {
-    ExclusiveRegionPolicy judge;
+TEST(ExclusiveRegionPolicy, PaysWhenManyNodesAreSearchedFor) {
+    ExclusiveRegionPolicy policy;
     PathTally all, many, few;
     all.searched = 1000;
     many.searched = 100;
     few.searched = 10;
-    judge.add(all, 1000, 2000);  // the first cycle searches for all, which says nothing
-    EXPECT_FALSE(judge.often());
+    policy.add(all, 1000, 2000);  // the first cycle searches for all nodes and does not count
+    EXPECT_FALSE(policy.pays());
     for (int c = 0; c < 24; ++c)
-        judge.add(many, 1000, 2000);
-    EXPECT_TRUE(judge.often());
+        policy.add(many, 1000, 2000);
+    EXPECT_TRUE(policy.pays());
     for (int c = 0; c < 24; ++c)
-        judge.add(few, 1000, 2000);
-    EXPECT_TRUE(judge.often()) << "cores that are there are used";
+        policy.add(few, 1000, 2000);
+    EXPECT_TRUE(policy.pays()) << "what is set up is used";
     ExclusiveRegionPolicy other;
     for (int c = 0; c < 24; ++c)
         other.add(few, 1000, 2000);
-    EXPECT_FALSE(other.often());
+    EXPECT_FALSE(other.pays());
     ExclusiveRegionPolicy wide;
     for (int c = 0; c < 24; ++c)
         wide.add(many, 1000, 10000);
-    EXPECT_FALSE(wide.often()) << "few nodes pass each sub-triangle";
+    EXPECT_FALSE(wide.pays()) << "few nodes meet each sub-triangle";
 }
 
 /// Above corners, sides, middles and centres, on the surface, and anywhere.
-V3 hard_place(const Tool& tool, std::mt19937_64& random) {
+V3 hard_position(const Tool& tool, std::mt19937_64& random) {
     const SegmentData s = tool.segment(static_cast<int>(random() % static_cast<unsigned>(tool.size())));
     const auto j = random() % 4, k = random() % 4;
     const double h = std::array<double, 3>{0.0, 0.1, -0.0625}[random() % 3];
@@ -259,20 +261,21 @@ TEST(ManyAtOnce, AreSearchedForAsTheExhaustiveSearchDoes) {
     std::mt19937_64 random(12);
     auto batch = std::make_unique<Search::Batch>();
     std::array<int, 4> settled{};
-    for (const Tool& tool : ball_tools()) {
+    for (const Tool& tool : safe_radius_tools()) {
         for (const bool lift : {false, true}) {
             ProjectionLimits rules;
             rules.lift_leaning = lift;
-            const Search search(tool, {reach, reach, 0.01, lift}, {});
+            const Search search(tool, {largest_reach, largest_reach, 0.01, lift}, {});
             std::vector<V3> y;
             for (int i = 0; i < 100; ++i)
-                y.push_back(hard_place(tool, random));
-            put(y, 0.8 * reach, *batch, nullptr);
+                y.push_back(hard_position(tool, random));
+            put(y, 0.8 * largest_reach, *batch, nullptr);
             search.search(*batch, rules);
             EXPECT_EQ(batch->tally.searched, 100);
             for (int i = 0; i < batch->count; ++i) {
                 const V3& at = y[static_cast<size_t>(i)];
-                ASSERT_TRUE(same(batch->retained(i), exhaustive(tool, at, {0.8 * reach, reach, 0}, rules)))
+                ASSERT_TRUE(
+                    same(batch->retained(i), exhaustive(tool, at, {0.8 * largest_reach, largest_reach, 0}, rules)))
                     << at.x << " " << at.y << " " << at.z;
                 ++settled[static_cast<size_t>(batch->settled[i])];
             }

@@ -47,8 +47,8 @@ std::vector<double> history(const HostScene& scene, int threads) {
             }
             for (const optimized::Contact* contact : contacts) {
                 const optimized::PathCounts paths = contact->paths();
-                for (const long count : {paths.certified, paths.steady, paths.paired, paths.quiet, paths.searched,
-                                         paths.fine, paths.whole})
+                for (const long count : {paths.exclusive_region, paths.ranking_safe, paths.edge_neighbour,
+                                         paths.separated, paths.searched, paths.double_double, paths.integer})
                     numbers.push_back(static_cast<double>(count));
             }
         });
@@ -84,36 +84,36 @@ TEST(Registers, SameBitsForAnyWidth) {
     }
 }
 
-/// Steps twice: whole and lean.
-class WholeAndLean final : public ContactMethod {
+/// Steps twice: full and lean.
+class FullAndLean final : public ContactMethod {
   public:
-    WholeAndLean(const Scene& scene, int interface) : whole_(scene, interface), lean_(scene, interface) {}
+    FullAndLean(const Scene& scene, int interface) : full_(scene, interface), lean_(scene, interface) {}
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override {
-        return whole_.initial_penetrations(position);
+        return full_.initial_penetrations(position);
     }
-    std::vector<EffectMemory> memory_by_effect() const override { return whole_.memory_by_effect(); }
-    DecisionStageCounts decision_stage_counts() const override { return whole_.decision_stage_counts(); }
+    std::vector<EffectMemory> memory_by_effect() const override { return full_.memory_by_effect(); }
+    DecisionStageCounts decision_stage_counts() const override { return full_.decision_stage_counts(); }
     ContactStep step(const Motion& motion) override {
-        ContactStep whole = whole_.step(motion);
+        ContactStep full = full_.step(motion);
         const optimized::LeanStep& lean = lean_.step_lean(motion);
-        EXPECT_EQ(whole.active, lean.active);
-        EXPECT_EQ(whole.nodes.size(), lean.force.size());
+        EXPECT_EQ(full.active, lean.active);
+        EXPECT_EQ(full.nodes.size(), lean.force.size());
         for (size_t i = 0; i < lean.force.size(); ++i) {
-            EXPECT_EQ(whole.nodes[i].force, lean.force[i]);
-            EXPECT_EQ(whole.nodes[i].step_stiffness, lean.step_stiffness[i]);
+            EXPECT_EQ(full.nodes[i].force, lean.force[i]);
+            EXPECT_EQ(full.nodes[i].step_stiffness, lean.step_stiffness[i]);
         }
-        EXPECT_EQ(whole.tool.force, lean.tool.force);
-        EXPECT_EQ(whole.sums.friction_work, lean.sums.friction_work);
-        return whole;
+        EXPECT_EQ(full.tool.force, lean.tool.force);
+        EXPECT_EQ(full.sums.friction_work, lean.sums.friction_work);
+        return full;
     }
 
   private:
-    optimized::Contact whole_, lean_;
+    optimized::Contact full_, lean_;
 };
 
 TEST(LeanStep, HasTheForcesOfTheWholeStep) {
     march(
-        scene_of("rotating_tool"), [](const Scene& s, int i) { return std::make_unique<WholeAndLean>(s, i); },
+        scene_of("rotating_tool"), [](const Scene& s, int i) { return std::make_unique<FullAndLean>(s, i); },
         [](const CycleRecord&) {});
 }
 

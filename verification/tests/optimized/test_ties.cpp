@@ -11,48 +11,48 @@ using testing::exhaustive;
 using testing::grid;
 using testing::same;
 
-Retained decide(const Tool& tool, const V3& p, const ContactReach& window) {
-    Decider decider(p, window, {});
+Retained decide(const Tool& tool, const V3& p, const ContactReach& reach) {
+    Decider decider(p, reach, {});
     for (int s = 0; s < tool.size(); ++s)
         decider.add(s, tool.segment(s));
     return decider.retained([&](int s) { return tool.segment(s); });
 }
 
 struct Count {
-    int taken = 0, tie = 0, whole = 0;
+    int taken = 0, tie = 0, integer = 0;
 };
 
 /// Nodes at multiples of `part` of an edge over a grid of 4 x 4 quads (edges 1/2), and a little beside them.
 Count compare(const Tool& tool, double part, double height) {
     Count count;
-    const ContactReach window{0.25, 0.25, 0};
+    const ContactReach reach{0.25, 0.25, 0};
     for (double x = -1; x <= 1; x += part) {
         for (double y = -1; y <= 1; y += part) {
             for (const double beside : {0.0, 1.0 / 1024}) {
                 const V3 p{x + beside, y, height};
-                const Retained found = decide(tool, p, window);
-                EXPECT_TRUE(same(found, exhaustive(tool, p, window, {}))) << x << " " << y << " " << beside;
-                count.taken += found.segment >= 0;
+                const Retained found = decide(tool, p, reach);
+                EXPECT_TRUE(same(found, exhaustive(tool, p, reach, {}))) << x << " " << y << " " << beside;
+                count.taken += found.exists();
                 count.tie += found.settled == Settled::tie;
-                count.whole += found.settled == Settled::whole;
+                count.integer += found.settled == Settled::integer;
             }
         }
     }
     return count;
 }
 
-TEST(Ties, OfAFlatGridAreProvenWithoutWholeNumbers) {
+TEST(Ties, OfAFlatGridAreProvenWithoutIntegers) {
     for (const bool triangles : {false, true}) {
         const Tool tool = grid(
             4, [](double, double) { return 0.0; }, triangles);
         const Count count = compare(tool, 0.125, 0.125);
         EXPECT_GT(count.taken, 500);
         EXPECT_GT(count.tie, triangles ? 30 : 100);
-        EXPECT_LT(count.whole, count.taken / 4);
+        EXPECT_LT(count.integer, count.taken / 4);
     }
 }
 
-TEST(Ties, OfACylinderAreThoseOfWholeNumbers) {
+TEST(Ties, OfACylinderAreThoseOfIntegers) {
     const Tool tool = grid(4, [](double x, double) { return 0.25 * x * x; });
     const Count count = compare(tool, 0.125, 0.25);
     EXPECT_GT(count.taken, 300);
@@ -77,27 +77,27 @@ Tool slope(int n, double rise) {
 constexpr std::array<std::array<double, 2>, 4> spots{{{0.5, 0.5}, {0, 0}, {0.5, 0}, {0.25, 0.25}}};
 
 TEST(Ties, OverCentresCornersEdgesAndDiagonalsAreProven) {
-    const ContactReach window{0.25, 0.25, 0};
+    const ContactReach reach{0.25, 0.25, 0};
     for (const double rise : {0.0, 0.5}) {
         const Tool tool = slope(4, rise);
         // 0.1 keeps P - V from being a double.
         for (const double height : {0.125, -0.125, rise == 0 ? 0.1 : 0.0625}) {
             for (const auto& [u, v] : spots) {
                 const V3 p{1 + u - rise * height, 2 + v, rise * (1 + u) + height};
-                const Retained found = decide(tool, p, window);
-                ASSERT_GE(found.segment, 0);
+                const Retained found = decide(tool, p, reach);
+                ASSERT_TRUE(found.exists());
                 EXPECT_EQ(found.settled, Settled::tie) << rise << " " << height << " " << u << " " << v;
-                EXPECT_TRUE(same(found, exhaustive(tool, p, window, {})));
+                EXPECT_TRUE(same(found, exhaustive(tool, p, reach, {})));
                 // A little beside there is no tie.
                 const V3 beside{p.x, std::nextafter(p.y, 0.0), p.z};
-                EXPECT_TRUE(same(decide(tool, beside, window), exhaustive(tool, beside, window, {})));
+                EXPECT_TRUE(same(decide(tool, beside, reach), exhaustive(tool, beside, reach, {})));
             }
         }
     }
 }
 
 TEST(Ties, AreFoundAgainWithoutTheTree) {
-    const ContactReach window{0.25, 0.25, 0};
+    const ContactReach reach{0.25, 0.25, 0};
     for (const double rise : {0.0, 0.5}) {
         const Tool tool = slope(4, rise);
         const Search search(tool, {0.25, 0.25, 0.01, false}, {});
@@ -106,30 +106,30 @@ TEST(Ties, AreFoundAgainWithoutTheTree) {
             for (int step = 0; step < 3; ++step) {
                 const double height = std::ldexp(0.125, -step);
                 const V3 y{1 + u - rise * height, 2 + v, rise * (1 + u) + height};
-                Search::Asked asked{y, window, &memory};
+                Search::NodeQuery query{y, reach, &memory};
                 Search::Found found;
-                search.find(&asked, 1, {}, &found);
+                search.find(&query, 1, {}, &found);
                 EXPECT_EQ(found.path == Path::searched, step == 0) << rise << " " << u << " " << v;
                 EXPECT_EQ(found.retained.settled, Settled::tie) << rise << " " << u << " " << v;
-                EXPECT_TRUE(same(found.retained, exhaustive(tool, y, window, {})));
+                EXPECT_TRUE(same(found.retained, exhaustive(tool, y, reach, {})));
             }
         }
     }
 }
 
-TEST(Ties, ARememberedPlaceThatDoesNotLeadIsLeft) {
-    const ContactReach window{0.25, 0.25, 0};
+TEST(Ties, ARememberedSubTriangleThatDoesNotLeadIsLeft) {
+    const ContactReach reach{0.25, 0.25, 0};
     const Tool tool = slope(4, 0);
     const Search search(tool, {0.25, 0.25, 0.01, false}, {});
     for (const auto& [u, v] : spots) {
         const V3 y{1 + u, 2 + v, 0.125};
-        for (int place = 0; place < 4 * tool.size(); ++place) {
+        for (int code = 0; code < 4 * tool.size(); ++code) {
             Memory memory;
-            memory.look_at(place);
-            Search::Asked asked{y, window, &memory};
+            memory.look_at(SubTriangleId::from_code(code));
+            Search::NodeQuery query{y, reach, &memory};
             Search::Found found;
-            search.find(&asked, 1, {}, &found);
-            EXPECT_TRUE(same(found.retained, exhaustive(tool, y, window, {}))) << place;
+            search.find(&query, 1, {}, &found);
+            EXPECT_TRUE(same(found.retained, exhaustive(tool, y, reach, {}))) << code;
         }
     }
 }

@@ -38,24 +38,24 @@ inline Tool grid(int n, const std::function<double(double, double)>& z, bool tri
     return {position, normal, corner};
 }
 
-/// Every sub-triangle of the tool in whole numbers, without filter and search.
+/// Every sub-triangle of the tool in integers, without filter and search.
 inline Retained exhaustive(
-    const Tool& tool, const V3& p, const ContactReach& window, const ProjectionLimits& rules,
+    const Tool& tool, const V3& p, const ContactReach& reach, const ProjectionLimits& rules,
     const std::function<bool(const SegmentData&)>& competes = [](const SegmentData&) { return true; }) {
     Retained best;
-    ExactLanding least;
+    ExactProjection least;
     for (int s = 0; s < tool.size(); ++s) {
         const SegmentData segment = tool.segment(s);
         if (!competes(segment)) continue;
-        for (int k = 1; k <= segment.pieces(); ++k) {
-            ExactLanding one = exact_landing(p, segment, k, window, rules);
+        for (int k = 1; k <= segment.sub_triangles(); ++k) {
+            ExactProjection one = project_exact(p, segment, k, reach, rules);
             if (!one.taken) continue;
             const bool other_kind =
-                best.segment >= 0 && one.landing.kind != least.landing.kind && !rules.proximity_competes;
+                best.exists() && one.projection.kind != least.projection.kind && !rules.proximity_competes;
             const bool first =
-                best.segment < 0 || (other_kind ? one.landing.kind == Kind::contact : compare_kappa(one, least) < 0);
+                !best.exists() || (other_kind ? one.projection.kind == Kind::contact : compare_kappa(one, least) < 0);
             if (!first) continue;
-            best = {s, k, one.landing, Settled::whole};
+            best = {{s, k}, one.projection, Settled::integer};
             least = std::move(one);
         }
     }
@@ -63,13 +63,13 @@ inline Retained exhaustive(
 }
 
 inline ::testing::AssertionResult same(const Retained& one, const Retained& other) {
-    const bool equal =
-        one.segment == other.segment && one.piece == other.piece &&
-        (one.segment < 0 || (one.landing.kind == other.landing.kind && one.landing.side == other.landing.side));
-    if (equal) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "segment " << one.segment << " piece " << one.piece << " side "
-                                         << one.landing.side << ", and segment " << other.segment << " piece "
-                                         << other.piece << " side " << other.landing.side;
+    if (one.id == other.id && (!one.exists() || (one.projection.kind == other.projection.kind &&
+                                                 one.projection.side == other.projection.side)))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "segment " << one.id.segment() << " sub-triangle " << one.id.triangle()
+                                         << " side " << one.projection.side << ", and segment " << other.id.segment()
+                                         << " sub-triangle " << other.id.triangle() << " side "
+                                         << other.projection.side;
 }
 
 }  // namespace type21::optimized::testing

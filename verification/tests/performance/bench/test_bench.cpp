@@ -6,7 +6,7 @@
 #include "reference/cycle/contact.h"
 #include "verification/performance/bench/bench.h"
 #include "verification/performance/bench/closest_point.h"
-#include "verification/performance/bench/truth.h"
+#include "verification/performance/bench/exact_decisions.h"
 
 namespace type21::bench {
 namespace {
@@ -91,7 +91,7 @@ TEST(Scenes, AreWhatTheirNamesSay) {
     EXPECT_NEAR(static_cast<double>(pan.segments().size()), 20000, 200);
     EXPECT_EQ(pan.nodes(), 5000U);
     EXPECT_EQ(pan.sub_triangles(), pan.segments().size());
-    const std::vector<Decision> pan_truth = Truth(pan).at(pan.motion(0));
+    const std::vector<Decision> pan_truth = ExactDecisions(pan).at(pan.motion(0));
     long taken = 0;
     for (const Decision& d : pan_truth)
         taken += d.kind == Kind::contact;
@@ -101,7 +101,7 @@ TEST(Scenes, AreWhatTheirNamesSay) {
     EXPECT_EQ(ties.nodes(), 225U);
     EXPECT_EQ(ties.sub_triangles(), 256U);
     // Over the corner that squares 0, 1, 8, 9 share: all tie, the lowest wins.
-    const std::vector<Decision> truth = Truth(ties).at(ties.motion(3));
+    const std::vector<Decision> truth = ExactDecisions(ties).at(ties.motion(3));
     EXPECT_EQ(truth[15 + 1].segment, 0);
     EXPECT_EQ(truth[15 + 1].triangle, 2);
 

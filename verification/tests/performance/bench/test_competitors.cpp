@@ -11,9 +11,9 @@
 #include "verification/performance/bench/bare_step.h"
 #include "verification/performance/bench/candidate_list.h"
 #include "verification/performance/bench/contact_run.h"
+#include "verification/performance/bench/exact_decisions.h"
 #include "verification/performance/bench/full_search.h"
 #include "verification/performance/bench/plain_search.h"
-#include "verification/performance/bench/truth.h"
 
 namespace type21::bench {
 namespace {
@@ -168,7 +168,7 @@ TEST(CandidateList, SortsAgainWhenSomethingHasMovedByTheMargin) {
 TEST(PlainSearch, IsRightBesideTies) {
     const BenchScene scene = pan_bench("pan", 2000, 1500);
     const auto laws = laws_with_search(scene.scene, 0);
-    const std::vector<Decision> truth = Truth(scene).at(scene.motion(0));
+    const std::vector<Decision> truth = ExactDecisions(scene).at(scene.motion(0));
     std::vector<optimized::V3> y;
     for (const Vec3& node : nodes_of(scene))
         y.push_back(optimized::from(node));

@@ -18,10 +18,10 @@ inline bool same(const Decision& one, const Decision& other) {
 std::string in_words(const Decision& decision);
 
 /// The exact decisions of a generated scene in any pose, as fast as the reference can.
-class Truth {
+class ExactDecisions {
   public:
-    explicit Truth(const BenchScene& scene);
-    ~Truth();
+    explicit ExactDecisions(const BenchScene& scene);
+    ~ExactDecisions();
     /// One for each secondary node, or for the first of them.
     std::vector<Decision> at(const Motion& motion, size_t most = static_cast<size_t>(-1)) const;
 

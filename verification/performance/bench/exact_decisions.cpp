@@ -1,4 +1,4 @@
-#include "verification/performance/bench/truth.h"
+#include "verification/performance/bench/exact_decisions.h"
 
 #include <algorithm>
 #include <tbb/parallel_for.h>
@@ -17,7 +17,7 @@ std::string in_words(const Decision& d) {
                        d.segment, d.triangle, d.side);
 }
 
-struct Truth::State {
+struct ExactDecisions::State {
     explicit State(const BenchScene& of) : scene(of.scene), interface(of.interface), card(of.card()) {
         const Model& model = *scene.host;
         tool = std::make_unique<reference::ToolSurface>(model, card);
@@ -34,10 +34,10 @@ struct Truth::State {
     std::unique_ptr<reference::Candidates> candidates;
 };
 
-Truth::Truth(const BenchScene& scene) : state_(std::make_unique<State>(scene)) {}
-Truth::~Truth() = default;
+ExactDecisions::ExactDecisions(const BenchScene& scene) : state_(std::make_unique<State>(scene)) {}
+ExactDecisions::~ExactDecisions() = default;
 
-std::vector<Decision> Truth::at(const Motion& motion, size_t most) const {
+std::vector<Decision> ExactDecisions::at(const Motion& motion, size_t most) const {
     const State& s = *state_;
     const auto& node = s.card.secondary.node;
     std::vector<Decision> out(std::min(node.size(), most));
