@@ -42,6 +42,7 @@ bool prepare(const Laws& laws, const Cycle& cycle, NodeData& nodes, int start, c
 }
 
 /// Nodes that have to be named, in their order; before remember(), which counts the cycles on.
+/// @manual field IBC, Invn, Pskid; comment 7, 21
 void list(const Laws& laws, NodeData& nodes, const Search::Batch& batch, const ForceRows& f, ChunkLists& lists) {
     for (int j = 0; j < f.count; ++j) {
         const auto i = static_cast<size_t>(f.rank + j);

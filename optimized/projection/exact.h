@@ -17,6 +17,7 @@ struct ExactLanding {
 
 /// @param k  sub-triangle, 1..4 (1 for a triangle)
 /// All of p, segment and window must be finite.
+/// @manual field DEPTH; comment 4; departure D35
 ExactLanding exact_landing(const V3& p, const SegmentData& segment, int k, const ContactReach& window,
                            const ProjectionLimits& rules);
 

@@ -14,6 +14,7 @@ constexpr float unknown = -1;
 }  // namespace
 
 // The box is a rule of its own, in double, with the operations and their order that the departure names.
+/// @manual departure D34
 bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const ContactReach& window) const {
     if (!on) return true;
     const double reach = std::max(window.gap, proximity);
