@@ -70,6 +70,7 @@ ContactSums Contact::State::sums() const {
     return sums;
 }
 
+/// @manual field Damp, Dampr, IDref; comment 19; departure D13
 ToolLoad Contact::State::tool_load(const Motion& motion) const {
     const Interface& card = *laws.card;
     ToolLoad load;

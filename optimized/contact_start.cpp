@@ -21,6 +21,7 @@ double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
 
 }  // namespace
 
+/// @manual departure D04
 Contact::State::State(const Scene& scene_, int interface_)
     : scene(scene_), interface(interface_), laws(scene_, interface_), largest_reach(0), inacti(laws.card->inacti) {
     const Interface& card = *laws.card;
@@ -76,6 +77,7 @@ void Contact::State::new_search() {
         memory.forget();
 }
 
+/// @manual field Igap; departure D33
 void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
     const Interface& card = *laws.card;
     step.smallest_gap_raw = card.smallest_gap_raw;
@@ -121,6 +123,7 @@ Contact::State::StartImpact Contact::State::impact_at_start(size_t i, const Vec3
     return first;
 }
 
+/// @manual field Inacti; comment 9; departure D26
 void Contact::State::start(const Motion& motion) {
     started = true;
     if (motion.time > 0 || (inacti != 1 && inacti != 5 && inacti != 6)) return;
@@ -136,6 +139,7 @@ void Contact::State::start(const Motion& motion) {
     if (!any && laws.as_built(Departure::D26)) inacti = 0;
 }
 
+/// @manual comment 8; departure D31
 std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<Vec3>& positions) const {
     const State& state = *state_;
     ToolMotion pose;

@@ -21,6 +21,7 @@ TYPE21_INLINE void negative(const L& v, IntegerLanes<L>& mask) {
     mask = (IntegerLanes<L>)v >> 63;
 }
 
+/// @manual eq 5, 6, 12; field VISs, Fric, Pmax, ITlim; comment 5, 14
 template <unsigned Effects, int W>
 TYPE21_INLINE void act(const ForceCycle& c, const Search::Batch& at, ForceRows& f, int j, TermBlock& block) {
     using L = Lanes<W>;

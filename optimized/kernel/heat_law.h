@@ -16,6 +16,7 @@ struct Heat {
 /// Parameters of the card, and the conductivity of the blank at each node: the mean over its thermal shells, weighed
 /// with a quarter (a third for a triangle) of their areas.
 /// @manual eq 14, 15, 16, 17, 20; field Ithe, Kthe, fct_IDK, AscaleK, Frad, Drad, Fcond, Dcond; comment 16, 17, 22, 23
+/// @manual departure D15, D32
 class HeatLaw {
   public:
     HeatLaw(const ContactModel& model, const Interface& interface);

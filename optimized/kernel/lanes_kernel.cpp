@@ -42,6 +42,7 @@ bool prepare(const Laws& laws, const Cycle& cycle, NodeData& nodes, int start, c
 }
 
 /// Lists of released and inverted nodes, in their order. Before store_history(), which increments the cycle counts.
+/// @manual field IBC, Invn, Pskid; comment 7, 21
 void list(const Laws& laws, NodeData& nodes, const Search::Batch& batch, const ForceRows& f, ChunkLists& lists) {
     for (int j = 0; j < f.count; ++j) {
         const auto i = static_cast<size_t>(f.rank + j);

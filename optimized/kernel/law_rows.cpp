@@ -3,6 +3,7 @@
 
 namespace type21::optimized {
 
+/// @manual eq 9; field Ifric
 void coefficients_in_rows(const ForceCycle& c, const Search::Batch& at, ForceRows& f, int column, int count) {
     const Laws& laws = *c.laws;
     for (int j = column; j < column + count; ++j) {

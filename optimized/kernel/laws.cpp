@@ -62,6 +62,7 @@ Laws::Laws(const Scene& scene, int interface)
     }
 }
 
+/// @manual eq 9; field Ifric
 double Laws::friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const {
     const double area = card->secondary.area[static_cast<size_t>(rank)];
     const double pressure = area > 0 ? normal_force / area : 0.0;

@@ -27,6 +27,7 @@ void forget(const Laws& laws, NodeData& nodes, size_t i) {
 }
 
 /// T_m at the contact point: Tint, or that of the tool's nodes.
+/// @manual field Ithe, Tint, Ithe_form
 double tool_temperature(const Laws& laws, const Decision& d, const Motion& motion) {
     if (!laws.heat || !laws.heat->nodal_tool()) return laws.card->tint;
     const auto& node = laws.model->surfaces[static_cast<size_t>(laws.card->main_surface)]
@@ -57,6 +58,7 @@ void heat_tool(const Laws& laws, const Decision& d, double heat, ChunkLists& lis
     lists.tool_heat.push_back({node[static_cast<size_t>(corner.c)], d.c * heat});
 }
 
+/// @manual field Ithe_form; comment 16; departure D16
 void exchange_heat(const Laws& laws, const Cycle& cycle, size_t i, int model_node, NodeContact& out,
                    ChunkLists& lists) {
     const Motion& motion = cycle.motion;
@@ -69,6 +71,7 @@ void exchange_heat(const Laws& laws, const Cycle& cycle, size_t i, int model_nod
         heat_tool(laws, out.decision, (laws.d16 ? out.friction_heat : 0.0) - heat.to_node, lists);
 }
 
+/// @manual eq 6, 7, 8, 12, 19; field Fric, fct_IDF, AscaleF, Pmax, ITlim, Fheat; comment 5, 12, 14, 18; departure D08
 template <unsigned Effects>
 void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, bool acts, NodeContact& out) {
     const Interface& card = *laws.card;
@@ -109,6 +112,7 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
 /// Is contact searched for this node in this cycle? `inert`: it has neither stiffness nor heat.
 enum class Activity { active, inert, deleted };
 
+/// @manual field Idel
 template <unsigned Effects>
 Activity activity_of(const Laws& laws, const Cycle& cycle, const NodeData& nodes, size_t i) {
     if (nodes.stiffness[i] == 0 && !on<Effects>(laws, effect::heat)) return Activity::inert;
@@ -121,6 +125,7 @@ Activity activity_of(const Laws& laws, const Cycle& cycle, const NodeData& nodes
 }
 
 /// @return false where nothing is to be summed
+/// @manual field VISs, IBC, Invn; comment 7, 21; departure D05
 template <unsigned Effects>
 bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, const V3& y, Activity activity,
                const Retained& retained, NodeContact& out, ChunkLists& lists) {

@@ -17,7 +17,7 @@ inline double penetration_beyond_rounding(double gap, double distance, double la
 }
 
 /// P0 that time 0 leaves behind for a penetration p > 0: Inacti 5 all of it, 6 a little more, else nothing.
-/// @manual field Inacti; comment 9; departure D26
+/// @manual field Inacti; comment 9
 inline double offset_at_start(int inacti, double p, double gap, double depth) {
     switch (inacti) {
         case 5:

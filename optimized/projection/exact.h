@@ -17,6 +17,7 @@ struct ExactProjection {
 
 /// @param k  sub-triangle, 1..4 (1 for a triangle)
 /// All of p, segment and reach must be finite.
+/// @manual field DEPTH; comment 4; departure D35
 ExactProjection project_exact(const V3& p, const SegmentData& segment, int k, const ContactReach& reach,
                               const ProjectionLimits& rules);
 

@@ -14,6 +14,7 @@ constexpr float unknown = -1;
 }  // namespace
 
 // The box is a rule of its own, in double, with the operations in the order that D34 describes.
+/// @manual departure D34
 bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const ContactReach& reach) const {
     if (!on) return true;
     const double outward = std::max(reach.gap, proximity);

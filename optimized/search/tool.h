@@ -80,6 +80,7 @@ class Tool {
 /// Nodal normals: the sum of the unit normals of the adjacent sub-triangles, normalised; zero where the sum is zero.
 /// The sums run in the order of the segments and of the sub-triangles: that order is part of what a decision is exact
 /// for. Source: Formulation 1, step 4.
+/// @manual field surf_IDm
 std::vector<V3> nodal_normals(const std::vector<V3>& position, const std::vector<std::array<int, 4>>& corner);
 
 }  // namespace type21::optimized

@@ -19,6 +19,7 @@
 
 namespace type21::reference::as_built {
 
+/// @manual departure D16, D37
 ContactReading reading_of(const ContactModel& model, const Interface& interface) {
     using enum Departure;
     const auto on = [&](Departure departure) { return model.as_built.has(departure); };

@@ -17,6 +17,7 @@ struct SegmentCurvature {
 
 /// @param segment  corners and nodal normals of one main segment, any frame
 /// @return radius and cosine.  Formulation 9, step 15.
+/// @manual comment 3
 SegmentCurvature segment_curvature(const SegmentShape<double>& segment);
 
 /// Iadm 1: radius < longest edge.  Iadm 2: radius < NRadm x longest edge, or the angle between normals is larger than

@@ -42,6 +42,7 @@ class GapGrowth {
 
     /// Thickness at secondary node i (its rank in SecondarySide::node): the largest of its shells.
     /// @param thickness  of each of ContactModel::shells [length]; empty: nothing has changed
+    /// @manual eq 2, 4; field Igap
     SheetThickness sheet(int i, std::span<const double> thickness) const;
 
     static constexpr size_t bytes_per_node() { return sizeof(std::vector<int>); }

@@ -39,6 +39,7 @@ class ToolSurface {
 /// @param position  of the main nodes, tool frame [length]
 /// @param segments  ranks into position; a triangle repeats its third
 /// @return one unit vector or zero a node, global axes at time 0 [-].  Formulation 1, step 4.
+/// @manual field surf_IDm
 std::vector<Vec3> nodal_normals(const std::vector<Vec3>& position, const std::vector<std::array<int, 4>>& segments);
 
 }  // namespace type21::reference

@@ -9,7 +9,6 @@
 namespace type21 {
 
 /// Pose of a tool at t_n and its velocities at n - 1/2, global axes.  Formulation 1, step 1.
-/// @manual departure D24
 struct ToolMotion {
     Vec3 position = Vec3::Zero();          ///< x_G [length]
     Mat3 rotation = Mat3::Identity();      ///< R, from the axes of time 0 to those of t_n (one step older with D24)
@@ -18,7 +17,6 @@ struct ToolMotion {
 };
 
 /// State at cycle n.  Formulation 11, step 1. The spans are indexed like ContactModel::nodes and must outlive the step.
-/// @manual departure D25
 struct Motion {
     double time = 0;                 ///< t_n, the accumulated sum of steps [time]
     double step = 0;                 ///< dt1 = t_n - t_{n-1}, 0 in the first cycle [time]

@@ -7,6 +7,7 @@
 
 namespace type21::reference {
 
+// @manual field Invn; comment 21
 NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& step) {
     const auto n = static_cast<size_t>(i);
     const NodeConstants& node = nodes[n];

@@ -14,6 +14,7 @@ namespace {
 
 /// Inacti 3: the node is moved out along nu until delta = g. The projection changes a little as the node moves, so this
 /// is repeated.  Formulation 6, step 1.
+/// @manual field Inacti; comment 8
 void move_out_initial_penetrations(const HostScene& scene, const std::vector<std::unique_ptr<ContactMethod>>& contacts,
                                    HostState& state) {
     constexpr int rounds = 20;
@@ -90,6 +91,7 @@ void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, const
     }
 }
 
+/// @manual field IBC; comment 7
 void release(const Model& model, const std::vector<ContactStep>& steps, HostState& state) {
     for (size_t i = 0; i < steps.size(); ++i) {
         const int ibc = model.interfaces[i].ibc;
@@ -141,6 +143,7 @@ void check_finite(const Model& model, const HostState& state, const std::vector<
     }
 }
 
+/// @manual field Invn; comment 21
 void check_normals(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
     for (size_t i = 0; i < steps.size(); ++i) {
         if (steps[i].inverted.empty()) continue;

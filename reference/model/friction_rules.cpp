@@ -51,6 +51,7 @@ void check_function(const CardValidator& validator) {
                         "Set Ithe to 1 or 2, or set fct_IDF to 0 and give the coefficient as Fric");
 }
 
+/// @manual departure D28
 void check_replaced(const CardValidator& validator) {
     const Interface& it = validator.interface;
     const std::string_view taken = "/FRICTION of fric_ID takes its place";
@@ -93,6 +94,7 @@ void note_without_friction(const CardValidator& validator) {
 
 }  // namespace
 
+/// @manual field Xfreq; comment 15; departure D28
 void check_friction_card(const CardValidator& validator) {
     const Interface& it = validator.interface;
     const bool by_model = it.fric_id != 0;
@@ -111,6 +113,7 @@ void check_friction_card(const CardValidator& validator) {
     }
 }
 
+/// @manual field fct_IDF, AscaleF; comment 12
 void apply_friction(const CardValidator& validator) {
     Interface& it = validator.interface;
     const bool by_function = uses_friction_function(it);

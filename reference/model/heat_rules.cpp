@@ -72,7 +72,7 @@ double one_of_card(const CardValidator& validator, Dimension dimension) {
     return conversion(validator.card.from(), validator.card.to(), dimension);
 }
 
-/// @manual field Kthe, AscaleK
+/// @manual field Ithe, Kthe, AscaleK
 void apply_heat(const CardValidator& validator) {
     Interface& it = validator.interface;
     // A blank AscaleK is 1 in the units of the card, not in work units.

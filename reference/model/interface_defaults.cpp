@@ -23,7 +23,7 @@ void apply_gap(Interface& it) {
     default_for_zero(it.pmax, no_limit, "0 means no limit");
 }
 
-/// @manual field Stfac, Stmin, Stmax, Pskid
+/// @manual field Istf, Stfac, Stmin, Stmax, Pskid; comment 6, 11
 void apply_stiffness(const CardValidator& validator) {
     Interface& it = validator.interface;
     if (it.istf == 1) {

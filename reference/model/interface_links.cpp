@@ -45,6 +45,7 @@ int optional_link(const CardValidator& validator, std::string_view field, Id id,
 
 }  // namespace
 
+/// @manual field Ithe, fct_IDK, Fcond
 void link_interface(const CardValidator& validator) {
     Interface& it = validator.interface;
     it.secondary_surface = surface(validator, "surf_IDs", it.surf_secondary);

@@ -111,6 +111,7 @@ void check_line_12(const CardValidator& validator) {
 
 }  // namespace
 
+/// @manual field Inacti
 void check_inacti(const CardValidator& validator) {
     const int inacti = validator.interface.inacti;
     if (among(inacti, {2, 4}))

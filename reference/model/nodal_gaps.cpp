@@ -112,7 +112,7 @@ std::vector<double> contact_thickness(const Model& model, const Surface& seconda
     return picked(largest, nodes);
 }
 
-/// @manual eq 1, 3; field Igap, Fscalegap, Gapmin, Gapmax; comment 2
+/// @manual eq 1-4; field Igap, Fscalegap, Gapmin, Gapmax; comment 2
 void resolve_gaps(const CardValidator& validator) {
     Interface& it = validator.interface;
     SecondarySide& side = it.secondary;

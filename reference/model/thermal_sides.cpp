@@ -37,6 +37,7 @@ std::string failing(const Model& model, const std::vector<int>& nodes, Good&& go
 
 }  // namespace
 
+/// @manual field Ithe, Ithe_form
 void check_thermal_sides(const CardValidator& validator) {
     const Interface& it = validator.interface;
     const Model& model = validator.model;

@@ -52,7 +52,7 @@ std::string node_list(const Model& model, const std::vector<int>& nodes) {
     return fmt::format("{} nodes: {}", nodes.size(), first_few(ids(model, nodes)));
 }
 
-/// @manual field IDrby
+/// @manual field IDrby, surf_IDm
 void check_main_nodes(const CardValidator& validator, const std::vector<int>& main) {
     std::vector<int> outside;
     const auto& body = tool(validator).nodes;
@@ -119,6 +119,7 @@ void refuse_shared_nodes(const CardValidator& validator, const std::string& node
                          "Take them out of one of the surfaces");
 }
 
+/// @manual field Dampr
 void build_tool_side(const CardValidator& validator) {
     Interface& it = validator.interface;
     it.main_nodes = surface_nodes(main_surface(validator));

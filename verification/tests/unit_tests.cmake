@@ -54,7 +54,7 @@ endif()
 set_source_files_properties(exact/test_numbers.cpp PROPERTIES COMPILE_OPTIONS -frounding-math SKIP_PRECOMPILE_HEADERS ON)
 type21_test(exact type21_host type21_reference)
 type21_test(host type21_support)
-type21_test(optimized type21_optimized type21_reference type21_host TBB::tbb nlohmann_json::nlohmann_json)
+type21_test(optimized type21_support TBB::tbb nlohmann_json::nlohmann_json)
 type21_test(decisions/deck_fuzz type21_fuzz_input)
 foreach(folder support decisions/queries decisions/fuzz decisions/atlas results/tables results/record results/compare results/t01
                results/paraview results/balance criteria/cases criteria/lockstep criteria/mutation stability explain

@@ -146,18 +146,21 @@ std::vector<Mutation> friction_mutations() {
                                table.ifric = 0;
                        }),
                        {}});
-        all.push_back({fmt::format("law_{}_without_pressure", k),
-                       fmt::format("Ifric {}, {}", k, laws[k]),
-                       k <= 2 ? "the node's area is doubled, so its pressure is half" : "C2 is larger by a thousandth",
-                       law(k),
-                       broken_card([k](Model& m, Interface& c) {
-                           if (k <= 2)
-                               for (double& area : c.secondary.area)
-                                   area *= 2;
-                           else
-                               change_coefficients(m, c, [](FrictionCoefficients& f) { f.c[1] *= 1.001; });
-                       }),
-                       {}});
+        // Laws 1 and 2 depend on the pressure, laws 3 and 4 on the speed alone.
+        const bool by_pressure = k <= 2;
+        all.push_back(
+            {fmt::format("law_{}_{}", k, by_pressure ? "half_pressure" : "c2_thousandth"),
+             fmt::format("Ifric {}, {}", k, laws[k]),
+             by_pressure ? "the node's area is doubled, so its pressure is half" : "C2 is larger by a thousandth",
+             law(k),
+             broken_card([by_pressure](Model& m, Interface& c) {
+                 if (by_pressure)
+                     for (double& area : c.secondary.area)
+                         area *= 2;
+                 else
+                     change_coefficients(m, c, [](FrictionCoefficients& f) { f.c[1] *= 1.001; });
+             }),
+             {}});
     }
     for (int k = 1; k <= 3; ++k)
         all.push_back({fmt::format("filter_{}_off", k),

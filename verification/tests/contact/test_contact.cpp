@@ -184,7 +184,7 @@ TEST(Contact, IbcReleasesOnceAtTheFirstEffectivePenetration) {
     EXPECT_TRUE(hand.step(0.3, 0.1).released.empty());
 }
 
-// @manual field Damp, Dampr, IDref; comment 19; departure D13
+// @manual field Damp, IDref; comment 19; departure D13
 TEST(Contact, ToolDampingUsesTheContactStiffness) {
     SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
     small.card().damp.value = 0.1;
@@ -201,6 +201,34 @@ TEST(Contact, ToolDampingUsesTheContactStiffness) {
     built.step(0, 0);
     const double k = 2 * (1000 + std::sqrt(2000.0) / 0.1);
     EXPECT_NEAR(built.step(0.1, 0.1).tool.damping_force.z(), 2 * 2 * 0.1 * std::sqrt(10 * k), 1e-9);
+}
+
+// Two nodes with k = 1000 at (+-0.2, 0.1, 0) from x_G: the sum of k |X - x_G|^2 is 2 * 1000 * 0.05 = 100. I = 5.
+// @manual field Dampr; comment 19; departure D13
+TEST(Contact, DamprBrakesTheTurnAboutEachAxis) {
+    for (const bool d13 : {false, true}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
+            small.card().dampr.value = 0.1;
+            small.card().viss.value = 1.0;
+            small.model().as_built.set(Departure::D13, d13);
+            Hand hand(small);
+            hand.tools[0].angular_velocity = 3 * Vec3::Unit(axis);
+            hand.step(0, 0);
+            const ContactStep step = hand.step(0.1, 0.1);
+            const double sum = d13 ? 0.1 * (1000 + std::sqrt(2000.0) / 0.1) : 100;  // D13: of k + C / dt
+            const Vec3 expected = -3 * 2 * 0.1 * std::sqrt(5 * sum) * Vec3::Unit(axis);
+            EXPECT_NEAR((step.tool.damping_moment - expected).norm(), 0, 1e-10) << axis;
+            EXPECT_EQ(step.tool.damping_force, Vec3(0, 0, 0));  // Damp is 0
+        }
+    }
+}
+
+// @manual field Stfac; comment 6, 11
+TEST(Contact, StfacAboveOneScalesTheForce) {
+    SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
+    small.card().stfac.value = 3.0;
+    EXPECT_NEAR(Hand(small).step(0, 0).nodes[0].force.z(), 3 * 1000 * 0.2, 1e-10);
 }
 
 // @manual departure D12

@@ -16,7 +16,7 @@ namespace {
 
 using test::over_a_square;
 
-// @manual eq 14, 15; field Kthe, fct_IDK, AscaleK; comment 16
+// @manual eq 14; field Kthe; comment 16
 TEST(Heat, ConductanceIsASeriesOfSheetAndContact) {
     EXPECT_DOUBLE_EQ(conduction_conductance(20, 0.0, 50), 20);
     EXPECT_DOUBLE_EQ(conduction_conductance(20, 0.5, 50), 1 / (0.01 + 0.05));
@@ -36,7 +36,7 @@ TEST(Heat, RadiationIsTheDifferenceOfFourthPowers) {
     EXPECT_EQ(radiated(5.67e-8, 300, 300), 0.0);
 }
 
-// @manual eq 16; field Drad; comment 17, 22, 23; departure D15
+// @manual eq 16; field Drad, Dcond; comment 17, 23; departure D15
 TEST(Heat, Zones) {
     Interface card;
     card.frad.value = 1;
@@ -106,6 +106,19 @@ TEST(Heat, OneCycleOfConduction) {
     Contact contact(hot.small.scene(), 0);
     const double expected = 4 * 200 * 1e-3 / (0.3 / (50 + 0.02 * 300) + 1 / 20.0);
     EXPECT_NEAR(hot.cycle(contact, 1e-3, 1e-3).heat, expected, 1e-12 * expected);
+}
+
+// f_K runs from 1 without pressure to 3 at the pressure 100. F_n = 1000 * 0.2 on A = 4 is the pressure 50; AscaleK 0.5
+// makes it 25: f_K = 1.5, K = 20 * 1.5.
+// @manual eq 15; field Kthe, fct_IDK, AscaleK; comment 16
+TEST(Heat, TheExchangeCoefficientFollowsThePressure) {
+    Hot hot(0.3);
+    hot.small.card().ascalek.value = 0.5;
+    hot.small.card().function_conduction = 0;
+    hot.small.model().functions.push_back({1, "", {0.0, 100.0}, {1.0, 3.0}});
+    Contact contact(hot.small.scene(), 0);
+    const double expected = 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 30.0);
+    EXPECT_NEAR(hot.cycle(contact, 0, 1e-3).heat, expected, 1e-12 * expected);
 }
 
 // A node of capacity C cools by T_{n+1} = T_n + r (Tint - T_n): after n cycles the difference is (1 - r)^n of the

@@ -60,6 +60,16 @@ TEST(Stiffness, ScaledAndBounded) {
     EXPECT_DOUBLE_EQ(nodal_stiffness(card, 252000), 0.3);
 }
 
+// @manual field Stfac; comment 6, 11
+TEST(Stiffness, StfacAboveOneHasNoUpperLimit) {
+    Interface card;
+    card.stmax.value = 1e30;
+    for (const double stfac : {0.5, 1.0, 3.0, 1e6}) {
+        card.stfac.value = stfac;
+        EXPECT_DOUBLE_EQ(nodal_stiffness(card, 1000), stfac * 1000);
+    }
+}
+
 // @manual departure D04
 TEST(Stiffness, OfTheFrictionIncrement) {
     Interface card;

@@ -20,7 +20,7 @@ namespace {
 constexpr double k = 1000;
 constexpr PmaxLimit plateau{0.05, 10};
 
-// @manual eq 5; field Pmax, Igap; comment 5
+// @manual eq 5; field Pmax; comment 5
 TEST(PmaxLimit, PlateauBetweenTwoSlopes) {
     EXPECT_DOUBLE_EQ(limited_force(k, 0.005, plateau), 5);
     EXPECT_DOUBLE_EQ(limited_force(k, 0.01, plateau), 10);
@@ -42,6 +42,7 @@ double force_of(double p, void*) {
 }
 
 // The energy against adaptive quadrature of the force, on all three pieces.
+// @manual eq 5; field Pmax
 TEST(PmaxLimit, EnergyIsTheIntegralOfTheForce) {
     gsl_integration_workspace* space = gsl_integration_workspace_alloc(100);
     const gsl_function force{force_of, nullptr};
@@ -57,7 +58,7 @@ TEST(PmaxLimit, EnergyIsTheIntegralOfTheForce) {
                 1e-12);  // triangle, plateau, trapezium 10..60 over 0.05
 }
 
-// @manual eq 6; field ITlim
+// @manual eq 6; field Pmax, ITlim; comment 5
 TEST(PmaxLimit, TangentialForceStopsAtTheShearYield) {
     EXPECT_DOUBLE_EQ(tangential_limit(600), 600 / std::sqrt(3.0));
 }
@@ -70,7 +71,7 @@ Interface growing(double fscale, double gapmin, double gapmax) {
     return card;
 }
 
-// @manual eq 1, 2, 3, 4; field Fscalegap, Gapmin, Gapmax, Igap; comment 2; departure D30
+// @manual eq 2; field Fscalegap, Gapmin, Gapmax, Igap; comment 2; departure D30
 TEST(GapGrowth, FollowsTheThickness) {
     const Interface card = growing(0.8, 0.1, 0.9);
     // t0 = 2, now 2.3: 0.8 (2 / 2 + 0.3 / 2) = 0.92, clipped to 0.9
@@ -94,7 +95,29 @@ TEST(GapGrowth, ANodesOwnGapDecidesContact) {
     EXPECT_EQ(as_built::search_gap(card, {1.2, 0.9}), 0.9);
 }
 
-// @manual field Idel; comment 2
+// A node of two shells, 2 thick at time 0 and 2.3 the thicker one now; its part has Thick 3.
+// 0.8 * 3 / 2 + 0.8 * (2.3 - 2) / 2 = 1.32; without Thick it starts from 0.8 * 2 / 2.
+// @manual eq 2, 4; field Igap, Fscalegap; comment 2
+TEST(GapGrowth, StartsFromTheContactThickness) {
+    Model model;
+    model.shells = {{1, {0, 1, 2, 3}, 0, 2.0}, {2, {0, 4, 5, 6}, 0, 2.0}};
+    model.parts.resize(1);
+    model.parts[0].material = 0;
+    model.materials.resize(1);
+    model.materials[0].law = MaterialLaw::elastic;
+    Interface card = growing(0.8, 0.1, 5.0);
+    card.secondary.node = {0};
+    card.secondary.thickness = {2.0};
+    card.secondary.contact_thickness = {3.0};
+    card.secondary.gap = {1.2};
+    const std::vector<double> now{2.3, 2.1};
+    EXPECT_NEAR(grown_gap(card, GapGrowth(model, card).sheet(0, now)).clipped, 1.32, 1e-15);
+    EXPECT_NEAR(grown_gap(card, GapGrowth(model, card).sheet(0, {})).clipped, 1.2, 1e-15);
+    card.secondary.contact_thickness = {0.0};
+    EXPECT_NEAR(grown_gap(card, GapGrowth(model, card).sheet(0, now)).clipped, 0.92, 1e-15);
+}
+
+// @manual field Idel
 TEST(Deletion, ANodeLeavesWithItsLastShell) {
     Model model;
     model.shells = {{1, {0, 1, 2, 3}, 0, 1.0}, {2, {1, 4, 5, 2}, 0, 1.0}};
@@ -112,7 +135,7 @@ TEST(Deletion, ANodeLeavesWithItsLastShell) {
 
 // A cylinder of radius 10 about the y axis: the quad spans the angle 0.2, its normals turn by 0.2 over the chord 20 sin
 // 0.1.
-// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
+// @manual comment 3
 TEST(AdaptiveData, RadiusFromTheTurningOfNormals) {
     SegmentShape<double> s;
     const auto at = [](double angle, double y) { return Vec3(10 * std::sin(angle), y, 10 * std::cos(angle)); };
@@ -127,6 +150,7 @@ TEST(AdaptiveData, RadiusFromTheTurningOfNormals) {
     EXPECT_GT(segment_curvature(s).radius, 1e15);  // flat
 }
 
+// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 TEST(AdaptiveData, WhenToDivide) {
     Interface card;
     card.iadm.value = 1;

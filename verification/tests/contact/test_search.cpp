@@ -14,6 +14,16 @@
 namespace type21::reference {
 namespace {
 
+// @manual field surf_IDm, IDrby
+TEST(ToolSurface, StandsAboutTheCentreOfItsRigidBody) {
+    SceneBuilder small = test::over_a_square({{0, 0, 1}});
+    small.model().rigid_bodies[0].center = {1, 2, 3};
+    const ToolSurface tool(small.model(), small.card());
+    ASSERT_EQ(tool.size(), 1);
+    EXPECT_EQ(tool.shape(0).node[0], Vec3(-2, -3, -3));
+    EXPECT_EQ(tool.shape(0).normal[0], Vec3(0, 0, 1));
+}
+
 // @manual field surf_IDm
 TEST(NodalNormals, CountSubTrianglesAndNotAreas) {
     // A quad in z = 0 (two sub-triangles at the shared corners, normal z) and a triangle standing up at its edge (one,
@@ -53,7 +63,6 @@ SceneBuilder bumpy(int n) {
     return test::small_scene(sheet, {{0, 0, 1}});
 }
 
-// @manual field Bumult
 TEST(Candidates, RetainTheSameImpactAsAllSegments) {
     SceneBuilder small = bumpy(12);
     const ToolSurface tool(small.model(), small.card());

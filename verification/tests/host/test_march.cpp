@@ -185,8 +185,8 @@ TEST(March, InactiThreeMovesTheNodeOut) {
         EXPECT_EQ(k.contact.nodes[0].force, Vec3(0, 0, 0));
 }
 
-// @manual field IBC; comment 7
 // Inacti 1 looks at time 0 also when the interface starts later: the node that penetrated then stays off.
+// @manual field Inacti
 TEST(March, InactiOneHoldsWhenTheInterfaceStartsLater) {
     for (const int inacti : {0, 1}) {
         SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
@@ -213,6 +213,7 @@ TEST(Runnable, EveryReasonIsNamedAtOnce) {
     EXPECT_EQ(problems.error_count(), 4);  // moment on a node, mass, inertia, end time
 }
 
+// @manual field IBC; comment 7
 TEST(March, AReleasedNodeMoves) {
     SceneBuilder small = over_a_square({{0, 0, 0.6}});
     small.fix(0, {true, true, false, true, true, true});

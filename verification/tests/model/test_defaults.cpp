@@ -21,6 +21,7 @@ Interface with(const Fields& fields, const std::vector<Departure>& departures = 
     return it;
 }
 
+// @manual field Pskid, Bumult, AscaleK
 TEST(Defaults, OfABlankCard) {
     const Interface it = with({});
     EXPECT_EQ(it.istf, 0);
@@ -62,7 +63,7 @@ TEST(Defaults, AWrittenZeroIsADefaultToo) {
     EXPECT_EQ(it.stfac, 1.0);
 }
 
-// @manual comment 6, 11
+// @manual field Stfac, Stmin, Stmax, Bumult; comment 6, 11
 TEST(Defaults, AGivenValueStays) {
     const Interface it =
         with({{"VISs", "0.2"}, {"Stfac", "3.0"}, {"Bumult", "4.0"}, {"Stmin", "2.0"}, {"Stmax", "5.0"}});
@@ -90,6 +91,7 @@ TEST(Defaults, BumultGrowsWithTheModel) {
     EXPECT_EQ(bumult(2'500'001, "0.1"), 0.1);
 }
 
+// @manual field Fscalegap, Gapmax, Pmax, Kthe
 TEST(Defaults, IdleFieldsTakeTheValueThatDoesNothing) {
     const Interface it = with(
         {{"Fscalegap", "2.0"}, {"Gapmax", "3.0"}, {"Pmax", "4.0"}, {"Drad", "50.0"}, {"Frad", "1.0"}, {"Kthe", "2.0"}});
@@ -136,7 +138,7 @@ Model with_sensor() {
     return model;
 }
 
-// @manual field sens_ID; comment 20
+// @manual field sens_ID, Tstart, Tstop; comment 20
 TEST(Defaults, ASensorReplacesTstartAndTstop) {
     const Interface it = with({{"sens_ID", "3"}, {"Tstart", "0.1"}, {"Tstop", "0.2"}}, {}, with_sensor());
     EXPECT_EQ(it.sensor, 0);
@@ -216,6 +218,7 @@ TEST(Defaults, FrictionModelBringsItsLawAndItsFilter) {
     EXPECT_EQ(it.card_xfreq, 0.25);
 }
 
+// @manual field NRadm, Padm, Angladm
 TEST(Defaults, NradmPadmAngladmBelongToIadm2) {
     const Interface two = with({{"Iadm", "2"}, {"Angladm", "25.0"}});
     EXPECT_EQ(two.nradm, 3);
@@ -233,12 +236,14 @@ TEST(Defaults, NradmPadmAngladmBelongToIadm2) {
     }
 }
 
+// @manual field Idel
 TEST(Defaults, ANegativeIdelActsAsItsValue) {
     const Interface it = with({{"Idel", "-2"}});
     EXPECT_EQ(it.idel, 2);
     EXPECT_EQ(it.idel.origin.kind, Origin::Kind::rule);
 }
 
+// @manual field Pmax, ITlim
 TEST(Defaults, PmaxAndItlimActWithIgap2) {
     const Interface it = with({{"Igap", "2"}, {"Pmax", "600.0"}});
     EXPECT_EQ(it.pmax, 600.0);

@@ -217,6 +217,17 @@ TEST(Gap, ContactThicknessReplacesTheThickness) {
     EXPECT_EQ(it.secondary.contact_thickness[right], 0.0);
 }
 
+// The same at time 0 with Igap 2, scaled: 0.8 * 3 / 2 where the part has Thick 3, else 0.8 * 1.4 / 2.
+// @manual eq 2, 4; field Igap, Fscalegap; comment 2
+TEST(Gap, Igap2StartsFromTheContactThickness) {
+    Model model = blank_over_tool();
+    model.parts[0].contact_thickness = 3.0;
+    const Interface it = with({{"Igap", "2"}, {"Fscalegap", "0.8"}}, {}, model);
+    EXPECT_DOUBLE_EQ(it.secondary.gap[left], 1.2);
+    EXPECT_DOUBLE_EQ(it.secondary.gap[middle], 1.2);
+    EXPECT_DOUBLE_EQ(it.secondary.gap[right], 0.56);
+}
+
 Model tool_has_lowest_ids() {
     // Four lone nodes 1..4 in front, so that no node of the blank is among the lowest ids.
     Model model = blank_over_tool();

@@ -161,7 +161,7 @@ TEST(MainNormals, TowardTheBlankAreFine) {
     EXPECT_TRUE(problems.list().empty());
 }
 
-// @manual comment 21
+// @manual field Invn; comment 21
 TEST(MainNormals, AwayFromTheBlankAreAWarningWithTheRemedy) {
     Model model = blank_over_tool();
     reverse(model);
