@@ -99,7 +99,7 @@ std::string rejected_text(const SegmentAccount& segment) {
 
 std::string candidates_text(const CandidateAccount& account) {
     std::string out = fmt::format(
-        "candidates: {} whose box contains the node; {} it, {} reject it (steps of Formulation 3)\n",
+        "candidates: {} whose box contains the node; {} it, {} reject it (Formulation 3, steps 1 to 5)\n",
         counted(account.segments.size(), "segment", "segments"),
         counted(static_cast<size_t>(account.taken), "sub-triangle accepts", "sub-triangles accept"), account.rejected);
     out += taken_text(account);

@@ -1,4 +1,4 @@
-/// @file The retained impact, the contact point, and the penetration offset: Formulation, chapters 4 to 6.
+/// @file The retained impact, the contact point, and the penetration offset: chapters 4 to 6 of the formulation.
 #include <fmt/format.h>
 
 #include "reference/exact/staged_impact.h"

@@ -32,8 +32,7 @@ std::vector<FieldHelp> field_help_surfaces() {
          "How the gap of a node is computed.",
          "0: Gapmin everywhere. 1: half of the thickness at time 0. 2: half of the current thickness. Any other value "
          "is an error.",
-         "manual page, comment 2, equations (1) to (4); Formulation 2, step 3; Formulation 2, step 4; Formulation 2, "
-         "step 5",
+         "manual page, comment 2, equations (1) to (4); Formulation 2, steps 3 to 5",
          {D03, D19, D27, D29, D30, D33}},
         {"Idel",
          "Whether a node leaves the interface when its elements are deleted.",

@@ -1,4 +1,4 @@
-/// @file Normal force, friction and the force on the node: Formulation, chapters 7 and 8.
+/// @file Normal force, friction and the force on the node: chapters 7 and 8 of the formulation.
 #include <cmath>
 
 #include <fmt/format.h>

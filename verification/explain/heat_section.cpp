@@ -1,4 +1,4 @@
-/// @file Heat of the node: Formulation, chapter 9.
+/// @file Heat of the node: chapter 9 of the formulation.
 #include <algorithm>
 #include <cmath>
 

@@ -16,7 +16,7 @@ struct NodeBefore {
 };
 
 struct Replay {
-    bool impact = false;         ///< p_g > 0 or retained at time 0: sections 6 to 8 apply
+    bool impact = false;         ///< p_g > 0 or retained at time 0: chapters 6 to 8 of the formulation apply
     int cycles = 0;              ///< consecutive cycles of this impact, this one included
     double offset_before = 0;    ///< P0 as this cycle begins with it [length]
     double offset = 0;           ///< P0 [length]

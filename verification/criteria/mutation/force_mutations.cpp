@@ -1,4 +1,4 @@
-// Gap, offset, stiffness, normal force, Pmax, activity (formulation sections 2, 5, 6, 7).
+// Gap, offset, stiffness, normal force, Pmax, activity (chapters 2, 5, 6 and 7 of the formulation).
 #include <algorithm>
 #include <numeric>
 

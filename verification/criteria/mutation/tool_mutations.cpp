@@ -1,4 +1,4 @@
-// The tool: its pose, what it gets, its damping; sums and energies (formulation sections 7 and 11).
+// The tool: its pose, what it gets, its damping; sums and energies (chapters 7 and 11 of the formulation).
 #include "verification/criteria/mutation/break_contact.h"
 
 namespace type21 {

@@ -30,7 +30,7 @@ void PlainSearch::at(std::span<const V3> y, std::span<const double> gap, double 
     decide(gap, depth, found);
 }
 
-/// Formulation 3 and 4 on the plain numbers.
+/// Chapters 3 and 4 of the formulation on the plain numbers.
 void PlainSearch::decide(std::span<const double> gap, double depth, std::span<Decision> found) {
     if (count_ == 0) return;
     optimized::SubTriangleId id[ProjectionBatch::capacity];

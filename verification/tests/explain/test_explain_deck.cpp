@@ -199,7 +199,7 @@ TEST(ExplainDeck, AnOrdinaryNodeFitsOnOneScreen) {
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 62) << text;
 }
 
-// A sub-triangle is rejected at each step of the projection, Formulation 3, and the trace says which.
+// A sub-triangle is rejected at each step of the projection (Formulation 3, steps 1 to 5), and the trace says which.
 TEST(ProjectionTrace, StopsAtTheStepThatRejects) {
     using namespace reference;
     const auto step = [](const Vec3& p, const SubTriangle<double>& t, bool lands) {
