@@ -98,7 +98,7 @@ ToolLoad Contact::State::tool_load(const Motion& motion) const {
     return load;
 }
 
-/// The sensor alone where there is one, else the reach of time.
+/// By the sensor where there is one, else by Tstart and Tstop.
 /// @manual field Tstart, Tstop, sens_ID; comment 20
 bool Contact::State::active(double time) const {
     const Interface& card = *laws.card;

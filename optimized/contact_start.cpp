@@ -10,7 +10,7 @@ namespace type21::optimized {
 
 namespace {
 
-/// k of a node, Stfac S between Stmin and Stmax, or Stfac alone.
+/// k of a node: Stfac S between Stmin and Stmax; Stfac with Istf 1.
 /// @manual field Istf, Stfac, Stmin, Stmax; comment 6, 11; departure D01
 double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
     if (card.istf == 1) return card.stfac;

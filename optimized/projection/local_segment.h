@@ -5,8 +5,8 @@
 
 namespace type21::optimized {
 
-/// Coordinates relative to the origin o = x_1 (quad) or x_3 (triangle, which is its A): how far the tool lies from its
-/// own origin costs no accuracy then.
+/// Coordinates relative to the origin o = x_1 (quad) or x_3 (triangle, which is its A). So a
+/// tool far from its own origin loses no accuracy.
 template <class Real>
 struct LocalSegmentIn {
     V3 origin;

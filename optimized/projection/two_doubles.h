@@ -1,4 +1,4 @@
-/// @file Numbers of about 100 bits: an unevaluated sum of two doubles.
+/// @file Double-double: numbers of about 100 bits, the unevaluated sum of two doubles.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-/// @file Is a sum of products zero? Exactly, in doubles.
+/// @file An exact test, in doubles, whether a sum of products is zero.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace type21::optimized {
 
-/// A sum of a few products of numbers whose size is() ordinary. It is held as an expansion: doubles that do not
-/// overlap, of which no one is zero, so that it is zero when there are none. Source: J. R. Shewchuk, Adaptive precision
+/// A sum of a few products of numbers that are ordinary(). It is stored as an expansion: nonzero doubles that do not
+/// overlap. So it is zero when there are none. Source: J. R. Shewchuk, Adaptive precision
 /// floating-point arithmetic and fast robust geometric predicates, Discrete and Computational Geometry 18, 1997
 /// (grow-expansion).
 class ZeroSum {

@@ -22,7 +22,7 @@ TYPE21_INLINE float up(double v) {
     return -down(-v);
 }
 
-/// How many boxes each subtree of a branch gets but the last: whole branches of leaves.
+/// Number of boxes of each subtree of a branch except the last: a multiple of a branch of leaves.
 std::int32_t share_of(std::int32_t count) {
     constexpr std::int32_t wide = BoxTree::wide;
     if (count <= wide) return 1;
@@ -123,7 +123,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes, SimdWidth machine)
 /// before it is built, whichever thread builds it.
 Box BoxTree::build(const std::vector<Box>& boxes, Leaf* first, std::int32_t count, std::int32_t at) {
     const std::int32_t share = share_of(count), parts = (count + share - 1) / share;
-    // Halves by the longer way, until each part is alone.
+    // Halves along the longest axis, until each part is single.
     const auto divide = [&](const auto& self, std::int32_t from, std::int32_t to) -> void {
         if (to - from < 2) return;
         Leaf *const begin = first + from * share, *const end = first + std::min(to * share, count);

@@ -61,7 +61,7 @@ class BoxTree {
 
     static Query query_of(const Box& box, double distance);
     static void limit(Query& query, double distance);
-    /// Squares of floats are off by 1e-6 of themselves, and by less than this where they are tiny.
+    /// The relative error of a square of floats is 1e-6; of a tiny one the error is below this number.
     static constexpr float tiny = 1e-36F;
     static double distance(float square) {
         constexpr double farthest = 1.8e19;  // beyond that a square is infinite

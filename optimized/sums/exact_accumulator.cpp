@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t base = std::int64_t{1} << 32;
 
-/// Largest magnitude of whole groups of eight; NaN where one of them is no number or infinite.
+/// Largest magnitude of full groups of eight; NaN where one of them is NaN or infinite.
 template <int W>
 TYPE21_INLINE double largest_in(const double* value, int count) {
     Lanes<W> most{}, spoilt{};
@@ -34,9 +34,9 @@ TYPE21_INLINE double largest_in(const double* value, int count) {
 constexpr int all_slices = 3;
 
 /// Cuts by adding and subtracting 1.5 * 2^(m + 52 - bits): what is left is the number rounded to a multiple of
-/// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers a lane every sum is a whole multiple
-/// of its unit with at most 41 + 11 bits: exact. Fewer than all slices are added only if they hold everything: nothing
-/// is left below them, and no number is as large as the ceiling, or not finite.
+/// 2^(m - bits). With |value| < 2^m, bits = 40, 80, 120 and at most 2048 numbers a lane every sum is an integer
+/// multiple of its unit with at most 41 + 11 bits: exact. Fewer than all slices are added only if they hold everything:
+/// nothing is left below them, and no number is as large as the ceiling, or not finite.
 /// @param sum  eight lanes of each slice
 /// @return do they hold everything?
 template <int W, int slices>
@@ -221,7 +221,7 @@ double ExactAccumulator::value() const {
     while (top >= 0 && sum.digit_[static_cast<size_t>(top)] == 0)
         --top;
     if (top < 0) return 0;
-    // The leading bits as a whole number, with one more bit that says whether anything lies below.
+    // The leading bits as an integer, with one more bit that is set if anything lies below.
     const auto digit = [&](int i) {
         return i < 0 ? std::uint64_t{0} : static_cast<std::uint64_t>(sum.digit_[static_cast<size_t>(i)]);
     };
