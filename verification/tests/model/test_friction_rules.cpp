@@ -53,7 +53,7 @@ Problems problems_of(const Fields& fields, Model model = blank_over_tool()) {
 const Fields bad_renard{{"Ifric", "3"}, {"C1", "0.1"},   {"C2", "0.12"}, {"C3", "0.2"},
                         {"C4", "0.08"}, {"C5", "800.0"}, {"C6", "700.0"}};
 
-// @manual field Ifric; comment 13; departure D17
+// @manual field Ifric; comment 13
 TEST(FrictionRules, TheCardsRenardLawIsChecked) {
     const Problems problems = problems_of(bad_renard);
     EXPECT_EQ(problems.error_count(), 1);

@@ -388,13 +388,13 @@ TEST(OptimizedSteps, AnExactLandingKnowsDepthAndLeaningNormals) {
     const ContactReach window{0.5, 2.0, 0.0};
     ProjectionLimits rules;
     const SegmentData flat{{b, c, a, a}, {z, z, z, z}, true};
-    EXPECT_TRUE(exact_landing({0.2, 0.2, -1.99}, flat, 1, window, rules).taken);
-    EXPECT_FALSE(exact_landing({0.2, 0.2, -2.0}, flat, 1, window, rules).taken);
-    EXPECT_FALSE(exact_landing({0.2, 0.2, 0.5}, flat, 1, window, rules).taken);
+    EXPECT_TRUE(project_exact({0.2, 0.2, -1.99}, flat, 1, window, rules).taken);
+    EXPECT_FALSE(project_exact({0.2, 0.2, -2.0}, flat, 1, window, rules).taken);
+    EXPECT_FALSE(project_exact({0.2, 0.2, 0.5}, flat, 1, window, rules).taken);
     const SegmentData leaning{{b, c, a, a}, {b, z, z, z}, true};
-    EXPECT_FALSE(exact_landing({0.0, 0.25, 0.1}, leaning, 1, window, rules).taken);
+    EXPECT_FALSE(project_exact({0.0, 0.25, 0.1}, leaning, 1, window, rules).taken);
     rules.lift_leaning = true;
-    EXPECT_TRUE(exact_landing({0.0, 0.25, 0.1}, leaning, 1, window, rules).taken);
+    EXPECT_TRUE(project_exact({0.0, 0.25, 0.1}, leaning, 1, window, rules).taken);
 }
 
 // @manual departure D12
