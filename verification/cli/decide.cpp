@@ -51,7 +51,7 @@ void add_decide(CLI::App& app, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "decide", "Answer geometric questions: segment, side, contact or proximity, and the margin to another answer");
     const auto options = std::make_shared<DecideArguments>();
-    verb->add_option("FILE", options->file, "JSON file with tools and nodes (see README, 'Ask about a configuration')")
+    verb->add_option("FILE", options->file, "JSON file with tools and nodes (format: verification/commands/decide.md)")
         ->required();
     verb->add_option(
             "--with", options->with,
