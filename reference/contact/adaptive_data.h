@@ -25,7 +25,7 @@ SegmentCurvature segment_curvature(const SegmentShape<double>& segment);
 /// @param element        radius, cosine, penetration and longest edge; its `divide` is not read
 /// @param radius_factor  on the radius to be kept: 1; as built: D37 [-]
 /// @return whether the element is to be divided.  Formulation 9, step 15; manual page, comment 3.
-/// @manual field Iadm, NRadm, Padm, Angladm; comment 3
+/// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 bool divides(const Interface& interface, const AdaptiveElement& element, double radius_factor = 1.0);
 
 /// Curvature of each main segment. Present only when the card asks for Iadm.

@@ -43,6 +43,7 @@ struct Impact {
 /// Which of two impacts comes first by its kind: contact before proximity, anything before nothing.
 /// @param proximity_competes  contact and proximity compete on kappa alone; as built: D11
 /// @return < 0: the first kind wins, > 0: the second, 0: kappa decides.  Formulation 4, step 2.
+/// @manual departure D11
 inline int order_of_kinds(Kind one, Kind other, bool proximity_competes = false) {
     if (one == other) return 0;
     if (one == Kind::none) return +1;

@@ -92,6 +92,7 @@ TEST(Departures, D31FindsTheFirstImpactWithWiderMargins) {
     EXPECT_NEAR(found[0].penetration, 0.2, 1e-12);
 }
 
+// @manual departure D11
 TEST(Departures, D11LetsTheMoreCentralProximityWin) {
     Impact<double> contact;
     contact.kind = Kind::contact;

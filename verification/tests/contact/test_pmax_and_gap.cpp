@@ -150,7 +150,7 @@ TEST(AdaptiveData, RadiusFromTheTurningOfNormals) {
     EXPECT_GT(segment_curvature(s).radius, 1e15);  // flat
 }
 
-// @manual field Iadm, NRadm, Padm, Angladm; comment 3
+// @manual field Iadm, NRadm, Padm, Angladm; comment 3; departure D37
 TEST(AdaptiveData, WhenToDivide) {
     Interface card;
     card.iadm.value = 1;
