@@ -191,16 +191,16 @@ TEST(Bench, JsonHasEveryPart) {
                             "repeats", "quick",   "seconds", "machine", "scenes",   "rows",     "ratios",
                             "stages",  "effects", "growth",  "threads", "roofline", "check",    "targets"})
         EXPECT_TRUE(json.contains(key)) << key;
-    std::set<std::string> scenes, who;
+    std::set<std::string> scenes, implementations;
     for (const auto& row : json["rows"]) {
         scenes.insert(row["scene"]);
-        who.insert(row["implementation"]);
+        implementations.insert(row["implementation"]);
     }
     EXPECT_EQ(scenes, (std::set<std::string>{"bowl", "ties", "pan_1k", "pan_1k_sheet", "pan_1k_500_nodes", "pan_2k",
                                              "pan_2k_sheet", "pan_2k_500_nodes"}));
     std::set<std::string> expected{"optimized", "plain double", "reference", "CGAL AABB tree", "candidate list"};
     if (has_embree()) expected.insert("Embree");
-    EXPECT_EQ(who, expected);
+    EXPECT_EQ(implementations, expected);
     EXPECT_EQ(json["effects"].size(), 13U);
     EXPECT_EQ(json["threads"].size(), 2U);
     EXPECT_TRUE(json["threads"][1]["same_bits"]);

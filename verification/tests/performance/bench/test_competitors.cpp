@@ -68,9 +68,9 @@ TEST(ClosestPoint, EachFindsTheNearest) {
             const double expected = std::sqrt(truth->at(p).distance2);
             if (expected > reach) continue;
             ++within;
-            for (const ClosestPoint* who : {embree.get(), cgal.get(), epick.get()}) {
-                if (who == nullptr) continue;
-                const Nearest found = who->at(p);
+            for (const ClosestPoint* method : {embree.get(), cgal.get(), epick.get()}) {
+                if (method == nullptr) continue;
+                const Nearest found = method->at(p);
                 ASSERT_NEAR(std::sqrt(found.distance2), expected, 1e-12 * (1 + p.norm())) << scene.name;
                 ASSERT_GE(found.segment, 0);
             }
