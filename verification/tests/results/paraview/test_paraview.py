@@ -15,7 +15,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[4]
 SKIPPED = 77
 CASE = "cylinder_slide"
 FRICTION = 0.15
