@@ -49,7 +49,6 @@ class Sensitive {
     friend bool operator<(const Sensitive& a, const Sensitive& b) { return (b - a).compared_to_zero() > 0; }
     friend bool operator>(const Sensitive& a, const Sensitive& b) { return (a - b).compared_to_zero() > 0; }
     friend bool operator==(const Sensitive& a, const Sensitive& b) { return (a - b).compared_to_zero() == 0; }
-    friend bool operator!=(const Sensitive& a, const Sensitive& b) { return !(a == b); }
 
     friend Sensitive magnitude(const Sensitive& a) { return a.value_ < 0 ? -a : a; }
     friend Sensitive clipped(const Sensitive& a) {
