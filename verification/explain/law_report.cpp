@@ -38,7 +38,6 @@ std::string to_text(const std::vector<InterfaceLaws>& all, const UnitSystem& uni
 }
 
 nlohmann::ordered_json to_json(const std::vector<InterfaceLaws>& all, const UnitSystem& units) {
-    using Json = nlohmann::ordered_json;
     Json interfaces = Json::array();
     for (const InterfaceLaws& laws : all) {
         Json curves = Json::array(), friction = Json::array(), normal = Json::array(), heat = Json::array();

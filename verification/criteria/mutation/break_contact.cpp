@@ -69,18 +69,18 @@ class Forgetful final : public Before {
 
 }  // namespace
 
-BreakContact broken_card(std::function<void(Model&, Interface&)> change, std::optional<Effect> without) {
+BreakContact broken_card(std::function<void(ContactModel&, Interface&)> change, std::optional<Effect> without) {
     return [=](const Scene& scene, int interface, const MakeContact& sound) {
-        auto model = std::make_shared<Model>(*scene.model);
+        auto model = std::make_shared<ContactModel>(*scene.model);
         change(*model, model->interfaces[static_cast<size_t>(interface)]);
-        Scene changed = plan(model);
+        Scene changed = scene_of(model);
         if (without) std::erase(changed.effects[static_cast<size_t>(interface)], *without);
         return sound(changed, interface);
     };
 }
 
 BreakContact without_effect(Effect effect) {
-    return broken_card([](Model&, Interface&) {}, effect);
+    return broken_card([](ContactModel&, Interface&) {}, effect);
 }
 
 BreakContact broken_motion(std::function<void(Motion&, const Interface&)> change) {

@@ -9,7 +9,7 @@
 namespace type21 {
 
 /// The contact is given another card; `without` is taken from its effects.
-BreakContact broken_card(std::function<void(Model&, Interface&)> change, std::optional<Effect> without = {});
+BreakContact broken_card(std::function<void(ContactModel&, Interface&)> change, std::optional<Effect> without = {});
 /// The contact computes without an effect.
 BreakContact without_effect(Effect effect);
 /// The contact is given another motion.

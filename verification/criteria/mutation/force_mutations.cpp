@@ -69,7 +69,7 @@ BreakStep keep_offset(const Scene& scene, int interface) {
 std::vector<Mutation> force_mutations() {
     using enum Effect;
     const auto always = has_effect(elastic);
-    const auto changed = [](auto change) { return broken_card([=](Model&, Interface& card) { change(card); }); };
+    const auto changed = [](auto change) { return broken_card([=](ContactModel&, Interface& card) { change(card); }); };
     return {
         {"contact_lost",
          "retained impact",
@@ -114,7 +114,7 @@ std::vector<Mutation> force_mutations() {
          "eq. of the gap, Igap 2",
          "the gap does not follow the thickness",
          has_effect(gap_growth),
-         broken_card([](Model&, Interface& c) { c.igap.value = 1; }),
+         broken_card([](ContactModel&, Interface& c) { c.igap.value = 1; }),
          {}},
         {"deletion_off", "Idel", "nodes of deleted elements stay", has_effect(deletion), without_effect(deletion), {}},
         {"release_off", "IBC", "no condition is lifted", has_effect(release_bcs), without_effect(release_bcs), {}},

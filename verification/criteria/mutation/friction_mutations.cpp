@@ -10,7 +10,8 @@ namespace type21 {
 namespace {
 
 /// Coefficients of the card and of /FRICTION.
-void change_coefficients(Model& model, Interface& card, const std::function<void(FrictionCoefficients&)>& change) {
+void change_coefficients(ContactModel& model, Interface& card,
+                         const std::function<void(FrictionCoefficients&)>& change) {
     FrictionCoefficients own;
     own.fric = card.fric;
     for (size_t i = 0; i < 6; ++i)
@@ -27,7 +28,7 @@ void change_coefficients(Model& model, Interface& card, const std::function<void
 }
 
 BreakContact coefficients(std::function<void(FrictionCoefficients&)> change) {
-    return broken_card([=](Model& model, Interface& card) { change_coefficients(model, card, change); });
+    return broken_card([=](ContactModel& model, Interface& card) { change_coefficients(model, card, change); });
 }
 
 /// Loses the envelope: only a cycle that raises it reports a value.
@@ -107,7 +108,7 @@ std::vector<Mutation> friction_mutations() {
          "/FRICTION",
          "all pairs of parts have the default coefficients",
          has_card([](const Interface& c) { return c.friction_model >= 0; }),
-         broken_card([](Model& m, Interface&) {
+         broken_card([](ContactModel& m, Interface&) {
              for (FrictionModel& table : m.friction_models)
                  table.pairs.clear();
          }),
@@ -124,7 +125,7 @@ std::vector<Mutation> friction_mutations() {
          [](const Scene& s, int i) {
              return s.has(i, friction_heat_factor) && s.model->interfaces[static_cast<size_t>(i)].ascalef != 1.0;
          },
-         broken_card([](Model&, Interface& c) { c.ascalef.value = 1; }),
+         broken_card([](ContactModel&, Interface& c) { c.ascalef.value = 1; }),
          {}},
         {"skid_off", "Pskid", "no skid line", has_effect(skid_line), without_effect(skid_line), {}},
         {"skid_envelope_forgotten",
@@ -140,7 +141,7 @@ std::vector<Mutation> friction_mutations() {
                        fmt::format("Ifric {}, {}", k, laws[k]),
                        "mu = Fric for every pressure and velocity",
                        law(k),
-                       broken_card([](Model& m, Interface& c) {
+                       broken_card([](ContactModel& m, Interface& c) {
                            c.ifric.value = 0;
                            for (FrictionModel& table : m.friction_models)
                                table.ifric = 0;
@@ -153,7 +154,7 @@ std::vector<Mutation> friction_mutations() {
              fmt::format("Ifric {}, {}", k, laws[k]),
              by_pressure ? "the node's area is doubled, so its pressure is half" : "C2 is larger by a thousandth",
              law(k),
-             broken_card([by_pressure](Model& m, Interface& c) {
+             broken_card([by_pressure](ContactModel& m, Interface& c) {
                  if (by_pressure)
                      for (double& area : c.secondary.area)
                          area *= 2;
@@ -167,7 +168,7 @@ std::vector<Mutation> friction_mutations() {
                        fmt::format("Ifiltr {}, Xfreq", k),
                        "F_t is not filtered: alpha = 1",
                        filter(k),
-                       broken_card([](Model& m, Interface& c) {
+                       broken_card([](ContactModel& m, Interface& c) {
                            c.ifiltr.value = c.card_ifiltr = 0;
                            for (FrictionModel& table : m.friction_models)
                                table.ifiltr = 0;

@@ -5,7 +5,7 @@ namespace type21 {
 
 std::vector<Mutation> heat_mutations() {
     using enum Effect;
-    const auto changed = [](auto change) { return broken_card([=](Model&, Interface& card) { change(card); }); };
+    const auto changed = [](auto change) { return broken_card([=](ContactModel&, Interface& card) { change(card); }); };
     const auto such = [](auto condition) {
         return has_card([=](const Interface& c) { return c.ithe != 0 && condition(c); });
     };

@@ -35,7 +35,7 @@ BreakStep late_sums(const Scene&, int) {
 std::vector<Mutation> tool_mutations() {
     using enum Effect;
     const auto always = has_effect(elastic);
-    const auto changed = [](auto change) { return broken_card([=](Model&, Interface& card) { change(card); }); };
+    const auto changed = [](auto change) { return broken_card([=](ContactModel&, Interface& card) { change(card); }); };
     const auto rotates = has_card([](const Interface& c) { return c.tool_rotates; });
     return {
         {"rotation_ignored",

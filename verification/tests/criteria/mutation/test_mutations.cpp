@@ -41,7 +41,7 @@ const std::vector<std::string> short_cases{"depth",     "fric0_card",      "filt
 TEST(MutationControl, WhatChangesNothingTurnsNothingRed) {
     const auto always = has_effect(Effect::elastic);
     const std::vector<Mutation> nothing{
-        {"card", "none", "nothing", always, broken_card([](Model&, Interface&) {}), {}},
+        {"card", "none", "nothing", always, broken_card([](ContactModel&, Interface&) {}), {}},
         {"motion", "none", "nothing", always, broken_motion([](Motion&, const Interface&) {}), {}},
         {"sums", "none", "nothing", always, broken_sums([](ContactStep&) {}), {}},
         {"nodes", "none", "nothing, but summed again", always, broken_nodes([](NodeContact&) {}), {}},
