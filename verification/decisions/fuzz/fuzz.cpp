@@ -10,9 +10,7 @@
 
 namespace type21 {
 
-namespace {
-
-void add(FuzzTally& sum, const FuzzTally& part, size_t keep) {
+void add_counts(FuzzTally& sum, const FuzzTally& part) {
     sum.decisions += part.decisions;
     sum.contact += part.contact;
     sum.proximity += part.proximity;
@@ -23,6 +21,12 @@ void add(FuzzTally& sum, const FuzzTally& part, size_t keep) {
     sum.double_wrong += part.double_wrong;
     sum.second_by_exact += part.second_by_exact;
     sum.different += part.different;
+}
+
+namespace {
+
+void add(FuzzTally& sum, const FuzzTally& part, size_t keep) {
+    add_counts(sum, part);
     sum.failures.insert(sum.failures.end(), part.failures.begin(), part.failures.end());
     std::sort(sum.failures.begin(), sum.failures.end(), [](const FuzzFailure& a, const FuzzFailure& b) {
         return a.block != b.block ? a.block < b.block : a.number < b.number;

@@ -44,6 +44,9 @@ struct FuzzTally {
     double seconds = 0;                 ///< wall time [s]
 };
 
+/// Adds the counts of `part` to `sum`; family, failures and seconds of `sum` stay.
+void add_counts(FuzzTally& sum, const FuzzTally& part);
+
 /// @param progress  called often with the share done, 0 to 1; never twice at the same time
 FuzzTally fuzz(const QuestionFamily& family, const FuzzOptions& options, const std::function<void(double)>& progress);
 

@@ -14,15 +14,7 @@ FuzzTally total(const std::vector<FuzzTally>& tallies) {
     FuzzTally sum;
     sum.family = "all";
     for (const FuzzTally& one : tallies) {
-        sum.decisions += one.decisions;
-        sum.contact += one.contact;
-        sum.proximity += one.proximity;
-        sum.near_border += one.near_border;
-        sum.margins += one.margins;
-        for (size_t i = 0; i < sum.settled.size(); ++i)
-            sum.settled[i] += one.settled[i];
-        sum.double_wrong += one.double_wrong;
-        sum.different += one.different;
+        add_counts(sum, one);
         sum.seconds += one.seconds;
     }
     return sum;
