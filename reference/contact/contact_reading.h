@@ -16,12 +16,6 @@
 
 namespace type21::reference {
 
-/// Every segment competes for a node.  Formulation 4, step 1; as built: D34.
-inline bool every_segment_competes(const Vec3& /*y*/, const SegmentShape<double>& /*segment*/,
-                                   const ContactReach<double>& /*reach*/) {
-    return true;
-}
-
 /// The reach of a cycle holds.  Formulation 3, step 5; as built, at time 0: D31.
 inline ContactReach<double> reach_of_cycle(const ContactReach<double>& reach, double /*gap*/) {
     return reach;
@@ -34,9 +28,9 @@ struct ImpactReading {
     /// @param gap  g of the node, which may be less than the gap that decides contact (D33) [length]
     std::function<ContactReach<double>(const ContactReach<double>& reach, double gap)> reach = reach_of_cycle;
 
+    /// Which segments compete for a node; empty: every one, and none is asked.  Formulation 4, step 1; D34
     /// @param y  the node in the tool frame [length]
-    std::function<bool(const Vec3& y, const SegmentShape<double>& segment, const ContactReach<double>& reach)>
-        competes = every_segment_competes;
+    std::function<bool(const Vec3& y, const SegmentShape<double>& segment, const ContactReach<double>& reach)> competes;
 
     /// Contact and proximity compete on kappa alone.  Formulation 4, step 2; D11
     bool proximity_competes = false;

@@ -16,7 +16,7 @@ ContactReach<double> Contact::State::reach_of(int i) const {
 std::vector<int> Contact::State::competitors(const Vec3& y, const ContactReach<double>& reach_of_node,
                                              const ImpactReading& how) const {
     std::vector<int> segments = candidates.at(y);
-    std::erase_if(segments, [&](int s) { return !how.competes(y, surface.shape(s), reach_of_node); });
+    if (how.competes) std::erase_if(segments, [&](int s) { return !how.competes(y, surface.shape(s), reach_of_node); });
     return segments;
 }
 

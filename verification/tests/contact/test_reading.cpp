@@ -18,6 +18,9 @@ std::map<std::string, double> numbers_of(const ContactModel& model, const Interf
                                       {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ()},
                                       false};
     const ContactReach<double> reach{0.5, 1.0, 2.0};
+    const auto competes = [&](const ImpactReading& how) {
+        return !how.competes || how.competes({5, 0, 0}, square, reach);
+    };
     Projection<double> projection;
     projection.weights = {0.25, 0.25};
     projection.normal = {0.6, 0, 0.8};
@@ -29,13 +32,13 @@ std::map<std::string, double> numbers_of(const ContactModel& model, const Interf
         {"search gap", reading.search_gap(card, {0.3, 0.3})},
         {"lowest weight", reading.impact.limits.low},
         {"lift leaning", reading.impact.limits.lift_leaning},
-        {"competes", reading.impact.competes({5, 0, 0}, square, reach)},
+        {"competes", competes(reading.impact)},
         {"reach", reading.impact.reach(reach, 0.25).gap},
         {"proximity competes", reading.impact.proximity_competes},
         {"normal", reading.impact.geometry(retained).normal.x()},
         {"first lowest weight", reading.first_impact.limits.low},
         {"first lift leaning", reading.first_impact.limits.lift_leaning},
-        {"first competes", reading.first_impact.competes({5, 0, 0}, square, reach)},
+        {"first competes", competes(reading.first_impact)},
         {"first reach", reading.first_impact.reach(reach, 0.25).gap},
         {"first proximity competes", reading.first_impact.proximity_competes},
         {"first normal", reading.first_impact.geometry(retained).normal.x()},
