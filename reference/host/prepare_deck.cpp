@@ -8,6 +8,7 @@
 
 #include "reference/deck/deck.h"
 #include "reference/host/conditions.h"
+#include "reference/host/warnings/warnings.h"
 #include "reference/model/as_built_option.h"
 #include "reference/model/resolve.h"
 
@@ -42,6 +43,7 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     if (!readable) return prepared;
     auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
     if (problems.has_errors()) return prepared;
+    warn_of_surprises(deck, *model, problems);
     HostScene scene = plan(std::move(model));
     if (needs_engine) check_runnable(scene, problems);
     if (!thickness.empty()) prepared.thickness = ThicknessHistory::read(thickness, *scene.host, problems);

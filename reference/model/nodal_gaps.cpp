@@ -103,6 +103,19 @@ std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& 
     return picked(largest, nodes);
 }
 
+std::vector<bool> nodes_of_void_shells(const Model& model) {
+    std::vector<bool> with_void(model.nodes.id.size(), false);
+    std::vector<bool> with_other(model.nodes.id.size(), false);
+    for (const Shell& shell : model.shells) {
+        auto& nodes = shell.part < 0 || is_void(model, shell) ? with_void : with_other;
+        for (const int node : shell.node)
+            nodes[at(node)] = true;
+    }
+    for (size_t i = 0; i < with_void.size(); ++i)
+        with_void[i] = with_void[i] && !with_other[i];
+    return with_void;
+}
+
 /// @manual eq 3, 4
 std::vector<double> contact_thickness(const Model& model, const Surface& secondary, const std::vector<int>& nodes) {
     std::vector<double> largest(model.nodes.id.size(), 0.0);

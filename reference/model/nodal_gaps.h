@@ -13,6 +13,9 @@ namespace type21 {
 /// @return [length], one for each of nodes, 0 where there is no such shell.  Formulation 2, step 1.
 std::vector<double> nodal_thickness(const Model& model, const std::vector<int>& nodes);
 
+/// Whether each node of the model has shells, and void ones alone: they have no thickness for a contact.
+std::vector<bool> nodes_of_void_shells(const Model& model);
+
 /// t_c of each node: the largest contact thickness (Thick of /PART) of the secondary elements at it, 0 = none.
 /// @param nodes  index into Model::nodes, ascending
 /// @return [length], one for each of nodes.  Formulation 2, step 2; as built: D29.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reference/contact/gap_growth.h"
+#include "reference/model/nodal_gaps.h"
 
 namespace type21 {
 
@@ -65,6 +66,13 @@ AccountSection place_section(const AccountInput& input) {
                 "Formulation 1, step 1");
     const double gap = input.step.active ? input.step.nodes[static_cast<size_t>(input.node)].gap : reach.gap;
     section.lines.push_back(gap_line(input, gap));
+    const SecondarySide& side = input.card().secondary;
+    const auto n = static_cast<size_t>(input.node);
+    if (input.card().igap != 0 && side.thickness[n] == 0 && side.contact_thickness[n] == 0) {
+        const bool is_void = nodes_of_void_shells(input.model())[static_cast<size_t>(input.model_node())];
+        section.say("t0", is_void ? "0, for the shells at the node are void: void shells count without thickness"
+                                  : "0, for the node belongs to no shell");
+    }
     if (reach.gap != gap)
         section.add("g'", "", "", reach.gap, length, "D33: this gap decides whether there is contact");
     section.add("DEPTH", "", "", reach.depth, length, "manual page, comment 4");

@@ -128,6 +128,28 @@ TEST(ExplainDeck, TheNumbersOfAHandCalculation) {
     EXPECT_EQ(json["interfaces"][0]["candidates"]["segments"][0]["triangles"].size(), 4u);
 }
 
+TEST(ExplainDeck, AGapOfZeroSaysWhyTheNodeHasNoThickness) {
+    const auto text = [](SceneBuilder& small) {
+        Interface& card = small.model().interfaces[0];
+        card.igap = Sourced<int>{1};
+        card.secondary.thickness = card.secondary.contact_thickness = {0.0};
+        return account_text(explain_deck(small.scene(), {blank_id(small), 0.0, {}}), small.model());
+    };
+    SceneBuilder bare = resting({0.2, 0.1, 0.3});
+    EXPECT_NE(text(bare).find("the node belongs to no shell"), std::string::npos) << text(bare);
+    SceneBuilder covered = resting({0.2, 0.1, 0.3});
+    Model& model = covered.model();
+    Part part;
+    part.material = static_cast<int>(model.materials.size());
+    model.materials.emplace_back();  // a new material is void
+    Shell shell;
+    shell.part = static_cast<int>(model.parts.size());
+    shell.node.fill(covered.blank_node(0));
+    model.parts.push_back(part);
+    model.shells.push_back(shell);
+    EXPECT_NE(text(covered).find("the shells at the node are void"), std::string::npos) << text(covered);
+}
+
 TEST(ExplainDeck, EachRejectionNamesItsStepAndItsNumber) {
     const auto reason = [](const Vec3& blank, int k) {
         SceneBuilder small = resting(blank);
