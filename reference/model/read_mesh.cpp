@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/degenerate_quad.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
@@ -88,16 +89,8 @@ bool read_corners(Reading& reading, CardReader& reader, size_t line, int corners
     for (int corner = 0; corner < corners; ++corner) {
         ids[static_cast<size_t>(corner)] = reader.integer(line, 11 + 10 * corner, 20 + 10 * corner, "node_ID");
     }
-    if (ids[3] == 0) ids[3] = ids[2];  // three nodes, or a quad written as a triangle
+    if (!mend_quad(reader, line, ids, "shell", shell.id)) return false;
     const bool triangle = ids[3] == ids[2];
-    const bool repeats = ids[0] == ids[1] || ids[1] == ids[2] || ids[0] == ids[2] ||
-                         (!triangle && (ids[0] == ids[3] || ids[1] == ids[3]));
-    if (repeats) {
-        reader.error(static_cast<int>(line), "node_ID", fmt::format("shell {}", shell.id),
-                     "the nodes of a shell differ; only the fourth may repeat the third (a triangle)",
-                     "Correct the nodes, or remove the shell");
-        return false;
-    }
     bool complete = true;
     for (size_t corner = 0; corner < 4; ++corner) {
         const auto found = reading.model.nodes.index.find(ids[corner]);

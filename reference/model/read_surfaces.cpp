@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/model/degenerate_quad.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
@@ -76,33 +77,6 @@ class ShellFinder {
     std::vector<std::vector<int>> at_node_;
 };
 
-/// Mends the degenerate spellings of a triangle so that the fourth node repeats the third; false when no triangle is
-/// left.
-bool mend(CardReader& reader, size_t line, std::array<Id, 4>& n) {
-    if (n[3] == 0) n[3] = n[2];
-    const std::array<Id, 4> written = n;
-    if (n[0] == n[3]) {
-        n[3] = n[2];
-    } else if (n[1] == n[2]) {
-        n[2] = n[3];
-    } else if (n[0] == n[1]) {
-        n = {n[1], n[2], n[3], n[3]};
-    }
-    const bool triangle = n[2] == n[3];
-    if (n[0] == n[1] || n[1] == n[2] || n[0] == n[2] || (!triangle && (n[0] == n[3] || n[1] == n[3]))) {
-        reader.error(static_cast<int>(line), "node_ID", fmt::format("{}", fmt::join(written, " ")),
-                     "a segment has at least three different nodes and does not cross itself",
-                     "Give the nodes in the order around the segment");
-        return false;
-    }
-    if (n != written) {
-        reader.warning(static_cast<int>(line), "node_ID", fmt::format("{}", fmt::join(written, " ")),
-                       "a triangle repeats its third node; this one repeats another",
-                       fmt::format("It is read as {}; write it so", fmt::join(n, " ")));
-    }
-    return true;
-}
-
 void read_segments(Reading& reading, CardReader& reader, const ShellFinder& finder, Surface& surface) {
     for (size_t line = 1; line < reader.line_count(); ++line) {
         if (reader.blank(line, 1, 60)) continue;
@@ -110,7 +84,7 @@ void read_segments(Reading& reading, CardReader& reader, const ShellFinder& find
         for (int corner = 0; corner < 4; ++corner) {
             ids[static_cast<size_t>(corner)] = reader.integer(line, 11 + 10 * corner, 20 + 10 * corner, "node_ID");
         }
-        if (!mend(reader, line, ids)) continue;
+        if (!mend_quad(reader, line, ids, "segment", 0)) continue;
         Segment segment;
         bool complete = true;
         for (size_t corner = 0; corner < 4; ++corner) {

@@ -46,16 +46,35 @@ TEST(Mesh, AQuadMayRepeatOrOmitItsFourthNode) {
     }
 }
 
-TEST(Mesh, OtherRepetitionsAreErrors) {
-    for (const auto& nodes : {std::vector<std::string>{"9", "1", "1", "3", "4"},
-                              {"9", "1", "2", "2", "4"},
-                              {"9", "1", "2", "3", "1"},
-                              {"9", "1", "2", "3", "2"},
-                              {"9", "1", "2", "1", "4"}}) {
+TEST(Mesh, AQuadThatRepeatsAnotherNodeIsATriangleWithOneWarning) {
+    using Corners = std::array<int, 4>;
+    const auto all = [](const std::vector<std::vector<std::string>>& shells) {
+        std::string lines = "/SHELL/1\n";
+        for (const auto& shell : shells)
+            lines += ints(shell);
+        return resolved(with_cards(lines));
+    };
+    const Resolved r = all({{"7", "1", "1", "3", "4"}, {"8", "1", "2", "2", "4"}, {"9", "1", "2", "3", "1"}});
+    const Problem warning = only(r.problems);
+    EXPECT_EQ(warning.severity, Severity::warning);
+    EXPECT_EQ(warning.count, 3);
+    EXPECT_NE(warning.rule.find("read as a triangle"), std::string::npos) << warning.rule;
+    EXPECT_EQ(r.model.shells.at(2).node, (Corners{0, 2, 3, 3}));
+    EXPECT_EQ(r.model.shells.at(3).node, (Corners{0, 1, 3, 3}));
+    EXPECT_EQ(r.model.shells.at(4).node, (Corners{0, 1, 2, 2}));
+}
+
+TEST(Mesh, NodesThatAreNeitherAQuadNorATriangleAreAnError) {
+    for (const auto& nodes : {std::vector<std::string>{"9", "1", "2", "3", "2"},
+                              {"9", "1", "2", "1", "4"},
+                              {"9", "1", "1", "3", "3"},
+                              {"9", "1", "2", "2", "1"}}) {
         const Problem p = only(resolved(with_cards("/SHELL/1\n" + ints(nodes))).problems);
-        EXPECT_NE(p.rule.find("differ"), std::string::npos);
+        EXPECT_EQ(p.severity, Severity::error);
+        EXPECT_NE(p.rule.find("three different nodes"), std::string::npos);
         EXPECT_EQ(p.value, "shell 9");
     }
+    EXPECT_EQ(only(resolved(with_cards("/SH3N/1\n" + ints({"9", "1", "2", "2"}))).problems).value, "shell 9");
 }
 
 TEST(Mesh, TheThicknessOfAShellBeatsItsProperty) {
