@@ -2,24 +2,21 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "node_index.h"
 #include "vector.h"
 
 namespace type21 {
-
-using Id = std::int64_t;
 
 /// Nodes, sorted by id so that an index order is an id order.
 struct Nodes {
     std::vector<Id> id;
     std::vector<Vec3> position;  ///< at time 0 [length]
     std::vector<int> line;       ///< deck line of each
-    std::unordered_map<Id, int> index;
+    NodeIndex index;
 
     int size() const { return static_cast<int>(id.size()); }
 };

@@ -21,6 +21,18 @@ std::string DiskFiles::identity(const std::string& path) const {
     return code ? path : real.string();
 }
 
+std::string DiskFiles::similar(const std::string& path) const {
+    const fs::path wanted(path);
+    const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+    const std::string name = upper(wanted.filename().string());
+    std::error_code code;
+    for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+        std::string other = entry->path().filename().string();
+        if (upper(other) == name) return other;
+    }
+    return {};
+}
+
 std::optional<TextFile> DiskFiles::load(const std::string& path, const Problem& blame, Problems& problems) const {
     return load_text(path, blame, problems);
 }
@@ -31,6 +43,14 @@ bool MemoryFiles::exists(const std::string& path) const {
 
 std::string MemoryFiles::identity(const std::string& path) const {
     return fs::path(path).lexically_normal().string();
+}
+
+std::string MemoryFiles::similar(const std::string& path) const {
+    const std::string wanted = upper(identity(path));
+    for (const MemoryFile& file : files_) {
+        if (upper(identity(file.path)) == wanted) return file.path;
+    }
+    return {};
 }
 
 std::optional<TextFile> MemoryFiles::load(const std::string& path, const Problem& blame, Problems& problems) const {

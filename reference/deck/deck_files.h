@@ -17,6 +17,8 @@ class DeckFiles {
     virtual bool exists(const std::string& path) const = 0;
     /// One name for a file, whatever path leads to it.
     virtual std::string identity(const std::string& path) const = 0;
+    /// The name of a file in the same folder that differs in upper and lower case only; empty: none.
+    virtual std::string similar(const std::string& path) const = 0;
     /// @param blame where the message points and which card asked for the file
     virtual std::optional<TextFile> load(const std::string& path, const Problem& blame, Problems& problems) const = 0;
 };
@@ -25,6 +27,7 @@ class DiskFiles final : public DeckFiles {
   public:
     bool exists(const std::string& path) const override;
     std::string identity(const std::string& path) const override;
+    std::string similar(const std::string& path) const override;
     std::optional<TextFile> load(const std::string& path, const Problem& blame, Problems& problems) const override;
 };
 
@@ -35,6 +38,7 @@ class MemoryFiles final : public DeckFiles {
     explicit MemoryFiles(const std::vector<MemoryFile>& files) : files_(files) {}
     bool exists(const std::string& path) const override;
     std::string identity(const std::string& path) const override;
+    std::string similar(const std::string& path) const override;
     std::optional<TextFile> load(const std::string& path, const Problem& blame, Problems& problems) const override;
 
   private:

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "reference/deck/printable.h"
+
 namespace type21 {
 
 namespace {
@@ -11,6 +13,14 @@ namespace {
 /// After this many values of one field that break one rule, the others share a message: a deck with every column
 /// shifted must not give a message for each of its lines.
 constexpr int max_values = 20;
+
+/// Distinct problems of one severity that are kept; the others share one message. Nobody reads more.
+constexpr int max_problems = 500;
+
+/// A value, rule or remedy is shown up to this length: a line of a deck may have 1000 characters, a path more.
+constexpr std::size_t max_text = 300;
+
+const char* const more_than_shown = "more problems than are shown here";
 
 /// What makes two problems the same: everything but the place and, for the second key, the value.
 std::string key_of(const Problem& p, const std::string& value) {
@@ -22,6 +32,8 @@ std::string key_of(const Problem& p, const std::string& value) {
 }  // namespace
 
 void Problems::add(Problem problem) {
+    for (std::string* text : {&problem.card, &problem.field, &problem.value, &problem.rule, &problem.remedy})
+        *text = printable(*text, max_text);
     const std::string kind = key_of(problem, "\x1e");
     std::string key = key_of(problem, problem.value);
     auto met = index_.find(key);
@@ -34,7 +46,20 @@ void Problems::add(Problem problem) {
         list_[met->second].count += problem.count;
         return;
     }
-    ++values_[kind];
+    int& kept = problem.severity == Severity::error ? errors_ : warnings_;
+    if (kept >= max_problems) {
+        problem.card = problem.field = problem.value = "";
+        problem.rule = more_than_shown;
+        problem.remedy = "Mend those that are shown first";
+        key = key_of(problem, problem.value);
+        if (const auto rest = index_.find(key); rest != index_.end()) {
+            list_[rest->second].count += problem.count;
+            return;
+        }
+    } else {
+        ++values_[kind];
+        ++kept;
+    }
     index_.emplace(std::move(key), list_.size());
     list_.push_back(std::move(problem));
 }
@@ -55,7 +80,7 @@ bool Problems::has_errors() const {
 }
 
 std::string to_text(const Problem& problem) {
-    std::string text = problem.place.file;
+    std::string text = printable(problem.place.file);
     if (problem.place.line > 0) text += fmt::format(":{}", problem.place.line);
     text += problem.severity == Severity::error ? ": error: " : ": warning: ";
     std::string subject = problem.card;

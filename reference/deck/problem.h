@@ -28,7 +28,9 @@ struct Problem {
 };
 
 /// All problems of one deck, in the order in which they were met; the same problem at other places is counted, not
-/// repeated. When many values of one field break one rule, those after the twentieth share one message.
+/// repeated. When many values of one field break one rule, those after the twentieth share one message. Of errors and
+/// of warnings 500 are kept each, the rest is one message with a count. Texts are printable() and at most 300
+/// characters long.
 class Problems {
   public:
     void add(Problem problem);
@@ -41,6 +43,8 @@ class Problems {
     std::vector<Problem> list_;
     std::unordered_map<std::string, std::size_t> index_;  ///< of each distinct problem in list_
     std::unordered_map<std::string, int> values_;         ///< how many values broke the same rule
+    int errors_ = 0;                                      ///< kept one by one
+    int warnings_ = 0;
 };
 
 /// "file:line: error: card, field 'X' = value: rule. remedy" on one line.

@@ -7,23 +7,41 @@
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "reference/deck/foreign_format.h"
+
 namespace type21 {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// True where a text has no business to be: a NUL, or more control characters than a slip of an editor explains.
-bool is_binary(std::string_view text) {
-    std::size_t controls = 0;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte == 0) return true;
-        const bool harmless = byte >= 32 || (byte >= '\t' && byte <= '\r') || byte == 0x1A;
-        controls += harmless ? 0 : 1;
+constexpr std::size_t piece_bytes = std::size_t{8} << 20;
+
+/// Tells binary content from text: a NUL, or more control characters than a slip of an editor explains.
+class BinaryTest {
+  public:
+    void add(std::string_view text) {
+        std::size_t zeros = 0;
+        std::size_t controls = 0;
+        for (const char c : text) {
+            const auto byte = static_cast<unsigned char>(c);
+            const bool harmless = byte >= 32 || (byte >= '\t' && byte <= '\r') || byte == 0x1A;
+            controls += harmless ? 0 : 1;
+            zeros += byte == 0 ? 1 : 0;
+        }
+        zeros_ += zeros;
+        controls_ += controls;
+        size_ += text.size();
     }
-    return controls > 8 || controls * 50 > text.size();
-}
+    bool is_binary() const { return zeros_ > 0 || controls_ > 8 || controls_ * 50 > size_; }
+
+  private:
+    std::size_t zeros_ = 0;
+    std::size_t controls_ = 0;
+    std::size_t size_ = 0;
+};
 
 std::string without_tabs(std::string_view text) {
     std::string out;
@@ -42,45 +60,23 @@ std::string without_tabs(std::string_view text) {
     return out;
 }
 
-std::vector<std::string_view> split(std::string_view text) {
-    // A file with carriage returns alone comes from an old Macintosh editor.
-    const char end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
-    std::vector<std::string_view> lines;
-    lines.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), end)) + 1);
-    while (!text.empty()) {
-        const std::size_t at = std::min(text.find(end), text.size());
-        const std::string_view line = text.substr(0, at);
-        const std::size_t last = line.find_last_not_of(" \r\f\v\x1A");
-        lines.push_back(line.substr(0, last == std::string_view::npos ? 0 : last + 1));
-        text.remove_prefix(std::min(at + 1, text.size()));
-    }
-    return lines;
+/// Files below /proc and /sys claim to be ordinary ones of no or any size; some never end, some wait for ever.
+bool is_of_the_system(const std::string& path) {
+    std::error_code code;
+    const std::string real = fs::weakly_canonical(path, code).string();
+    return real.starts_with("/proc/") || real.starts_with("/sys/") || real.starts_with("/dev/");
 }
 
-/// The bytes of the file, or what is wrong with it in `fault`.
-std::string read_bytes(const std::string& path, std::string& fault) {
+/// What is wrong with a file before it is opened; empty: nothing.
+std::string fault_of(const std::string& path) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
-    if (!fs::exists(status)) {
-        fault = "there is no such file";
-    } else if (fs::is_directory(status)) {
-        fault = "this is a folder, not a file";
-    } else if (!fs::is_regular_file(status)) {
-        fault = "this is not an ordinary file";
-    } else if (fs::file_size(path, code) > max_bytes) {
-        fault = "the file is larger than 2 GB";
-    }
-    if (!fault.empty()) return {};
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr) {
-        fault = std::string("the file cannot be opened: ") + std::strerror(errno);
-        return {};
-    }
-    std::string bytes(fs::file_size(path, code), '\0');
-    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
-    if (std::ferror(file) != 0) fault = "the file cannot be read";
-    std::fclose(file);
-    return bytes;
+    if (is_of_the_system(path)) return "this is a special file of the system, not an ordinary file";
+    if (!fs::exists(status)) return "there is no such file";
+    if (fs::is_directory(status)) return "this is a folder, not a file";
+    if (!fs::is_regular_file(status)) return "this is not an ordinary file";
+    if (fs::file_size(path, code) > max_bytes) return "the file is larger than 2 GB";
+    return {};
 }
 
 std::nullopt_t refuse(const std::string& path, Problem problem, Problems& problems, const std::string& rule,
@@ -92,26 +88,120 @@ std::nullopt_t refuse(const std::string& path, Problem problem, Problems& proble
     return std::nullopt;
 }
 
+/// Makes a TextFile of the pieces of a file.
+class TextBuilder {
+  public:
+    TextBuilder(const std::string& path, const Problem& blame, Problems& problems)
+        : path_(path), blame_(blame), problems_(problems) {}
+
+    /// A look at the beginning of the file; false and an error when it is another program's.
+    bool begin(std::string& bytes, std::uintmax_t size) {
+        std::string name = foreign_format(bytes, path_, size);
+        if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+        if (name.empty()) return true;
+        std::string remedy = "Give a Radioss deck: its cards begin with '/' in column 1";
+        if (const std::size_t colon = name.find(": "); colon != std::string::npos) {
+            remedy = upper(name.substr(colon + 2, 1)) + name.substr(colon + 3);
+            name.resize(colon);
+        }
+        refuse(path_, blame_, problems_, fmt::format("this is {}, not a Radioss deck", name), remedy);
+        return false;
+    }
+
+    void add(std::string bytes) {
+        binary_.add(bytes);
+        has_line_feed_ = has_line_feed_ || bytes.find('\n') != std::string::npos;
+        if (bytes.find('\t') != std::string::npos) bytes = without_tabs(bytes);
+        file_.size += bytes.size();
+        file_.pieces.push_back(std::make_shared<const std::string>(std::move(bytes)));
+    }
+
+    std::optional<TextFile> end() {
+        if (binary_.is_binary())
+            return refuse(path_, blame_, problems_, "the file is binary, not text",
+                          "Save the deck as plain text (ASCII or UTF-8)");
+        file_.line_end = has_line_feed_ ? '\n' : '\r';
+        return std::move(file_);
+    }
+
+  private:
+    const std::string& path_;
+    const Problem& blame_;
+    Problems& problems_;
+    TextFile file_;
+    BinaryTest binary_;
+    bool has_line_feed_ = false;
+};
+
+/// Reads a file in pieces that end with a line. False: it cannot be read, or begin() has refused it.
+bool read_pieces(std::FILE* file, std::uintmax_t size, TextBuilder& builder, bool& failed) {
+    std::string rest;  // of a line that goes on in the next piece
+    std::uintmax_t left = size;
+    for (bool first = true, last = false; !last; first = false) {
+        std::string bytes = std::exchange(rest, {});
+        const std::size_t kept = bytes.size();
+        const auto wanted = static_cast<std::size_t>(std::min<std::uintmax_t>(piece_bytes, left + 1));
+        bytes.resize(kept + wanted);
+        const std::size_t got = std::fread(bytes.data() + kept, 1, wanted, file);
+        bytes.resize(kept + got);
+        left -= std::min<std::uintmax_t>(left, got);
+        last = got < wanted;
+        failed = std::ferror(file) != 0;
+        if (failed || (first && !builder.begin(bytes, size))) return false;
+        if (!last) {
+            const std::size_t end = bytes.rfind('\n') + 1;
+            if (end == 0) {
+                rest = std::move(bytes);
+                continue;
+            }
+            rest.assign(bytes, end);
+            bytes.resize(end);
+        }
+        builder.add(std::move(bytes));
+    }
+    return true;
+}
+
 }  // namespace
 
-std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems) {
-    if (is_binary(bytes)) {
-        return refuse(path, blame, problems, "the file is binary, not text",
-                      "Save the deck as plain text (ASCII or UTF-8)");
+bool LineReader::next(std::string_view& line) {
+    while (piece_ < file_.pieces.size() && at_ >= file_.pieces[piece_]->size()) {
+        ++piece_;
+        at_ = 0;
     }
-    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-    if (bytes.find('\t') != std::string::npos) bytes = without_tabs(bytes);
-    TextFile file;
-    file.text = std::make_shared<const std::string>(std::move(bytes));
-    file.lines = split(*file.text);
-    return file;
+    if (piece_ == file_.pieces.size()) return false;
+    const std::string_view rest = std::string_view(*file_.pieces[piece_]).substr(at_);
+    const std::size_t end = std::min(rest.find(file_.line_end), rest.size());
+    std::size_t length = end;
+    while (length > 0 && (rest[length - 1] == ' ' || rest[length - 1] == '\r' || rest[length - 1] == '\f' ||
+                          rest[length - 1] == '\v' || rest[length - 1] == '\x1A'))
+        --length;
+    line = rest.substr(0, length);
+    at_ += end + 1;
+    return true;
+}
+
+std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems) {
+    TextBuilder builder(path, blame, problems);
+    if (!builder.begin(bytes, bytes.size())) return std::nullopt;
+    builder.add(std::move(bytes));
+    return builder.end();
 }
 
 std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems) {
-    std::string fault;
-    std::string bytes = read_bytes(path, fault);
-    if (!fault.empty()) return refuse(path, blame, problems, fault, "Give the path of a readable text file");
-    return text_of(std::move(bytes), path, blame, problems);
+    const std::string remedy = "Give the path of a readable text file";
+    if (const std::string fault = fault_of(path); !fault.empty()) return refuse(path, blame, problems, fault, remedy);
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr)
+        return refuse(path, blame, problems, std::string("the file cannot be opened: ") + std::strerror(errno), remedy);
+    std::error_code code;
+    TextBuilder builder(path, blame, problems);
+    bool failed = false;
+    const bool whole = read_pieces(file, fs::file_size(path, code), builder, failed);
+    std::fclose(file);
+    if (failed) return refuse(path, blame, problems, "the file cannot be read", remedy);
+    if (!whole) return std::nullopt;
+    return builder.end();
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -17,9 +17,25 @@ inline constexpr std::size_t tab_stop = 10;
 /// A file larger than this, or a deck whose files together are, is refused: it is no deck.
 inline constexpr std::size_t max_bytes = std::size_t{2} << 30;
 
+/// The text of a file in pieces of some MB, each of whole lines; tabs expanded, byte order mark gone.
 struct TextFile {
-    std::shared_ptr<const std::string> text;  ///< what the lines point into; tabs expanded, byte order mark gone
-    std::vector<std::string_view> lines;      ///< without line end, carriage return and trailing blanks
+    std::vector<std::shared_ptr<const std::string>> pieces;
+    std::size_t size = 0;  ///< bytes of all pieces
+    char line_end = '\n';  ///< '\r' in a file of an old Macintosh editor
+};
+
+/// The lines of a file one after the other.
+class LineReader {
+  public:
+    /// @param file must outlive this
+    explicit LineReader(const TextFile& file) : file_(file) {}
+    /// The next line without its end, carriage return and trailing blanks; false behind the last.
+    bool next(std::string_view& line);
+
+  private:
+    const TextFile& file_;
+    std::size_t piece_ = 0;
+    std::size_t at_ = 0;
 };
 
 /// The lines of these bytes; binary content is an error.

@@ -72,7 +72,7 @@ std::vector<int> bodies_of_nodes(const Model& model) {
     return body;
 }
 
-void check_runnable(const HostScene& scene, Problems& problems) {
+void check_runnable(const HostScene& scene, Problems& problems, bool needs_end) {
     const Model& model = *scene.host;
     const auto conditions = node_conditions(model);
     const auto body = bodies_of_nodes(model);
@@ -150,7 +150,7 @@ void check_runnable(const HostScene& scene, Problems& problems) {
     }
     problem = {};
     problem.place.file = model.deck_path;
-    if (!(model.engine.end_time > 0)) {
+    if (needs_end && !(model.engine.end_time > 0)) {
         problem.card = "/RUN";
         problem.field = "T_end";
         problem.value = fmt::format("{} {}", model.engine.end_time, model.units.name(dim::time));

@@ -28,6 +28,7 @@ std::vector<int> bodies_of_nodes(const Model& model);
 
 /// Checks a scene before it is run. Errors are a free node of a deformable element (its element forces are not computed
 /// in this version), a free node or tool without mass, no end time. All problems at once.
-void check_runnable(const HostScene& scene, Problems& problems);
+/// @param needs_end  false where no engine deck is asked for: the end time may then be missing
+void check_runnable(const HostScene& scene, Problems& problems, bool needs_end = true);
 
 }  // namespace type21

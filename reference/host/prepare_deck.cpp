@@ -42,10 +42,11 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     // Even a faulty deck is resolved, so that its author sees all problems in one go.
     if (!readable) return prepared;
     auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
+    check_interfaces(deck, *model, problems);
     if (problems.has_errors()) return prepared;
     warn_of_surprises(deck, *model, problems);
     HostScene scene = plan(std::move(model));
-    if (needs_engine) check_runnable(scene, problems);
+    check_runnable(scene, problems, needs_engine);
     if (!thickness.empty()) prepared.thickness = ThicknessHistory::read(thickness, *scene.host, problems);
     if (!problems.has_errors()) prepared.scene = std::move(scene);
     return prepared;

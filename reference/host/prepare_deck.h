@@ -23,7 +23,8 @@ struct PreparedDeck {
 /// Reads, resolves and checks a deck; throws nothing of its own.
 /// @param path          of the starter deck; the engine deck is looked for beside it
 /// @param as_built      departures to switch on, as --as-built takes them: "", "all", "D03,D24"
-/// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error
+/// @param needs_engine  true when the scene is to be run: a missing engine deck is then an error. Whatever else a run
+///                      would refuse is an error either way.
 /// @param thickness     CSV of the shells' thickness over time, empty: none
 /// @return the scene, or errors in problems
 PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, bool needs_engine,

@@ -2,6 +2,7 @@
 /// messages.
 #pragma once
 
+#include <bitset>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,6 +35,18 @@ class CardReader {
     /// The number as written, without conversion.
     double real_as_written(size_t line, int first, int last, std::string_view field);
 
+    /// Fields that Radioss has and this program has no use for, `width` columns each: a word that is no number is an
+    /// error, a number is nothing.
+    void unused(size_t line, int first, int last, int width);
+    /// Columns that another rule looks at, or text.
+    void skip(size_t line, int first, int last) const;
+    /// An error when the card has fewer data lines than these. Messages on lines that it does not have are dropped
+    /// then.
+    void need(const std::vector<std::string_view>& lines);
+    /// Behind the last field: a warning for numbers in columns that no one asked for, an error for words there that are
+    /// no number. Zeros, and comments that begin with '#', '$' or '!', are silent, and the title is text.
+    void finish();
+
     const UnitSystem& from() const { return from_; }
     const UnitSystem& to() const { return to_; }
 
@@ -47,12 +60,17 @@ class CardReader {
     void warn_if_cut(size_t line, int last, std::string_view field);
     void misread(size_t line, std::string_view field, std::string_view word, std::string rule, std::string remedy);
     void add(Problem problem, int line);
+    void judge_unread(size_t line, int first, int last);
 
     const Deck& deck_;
     const Card& card_;
     const UnitSystem& from_;
     const UnitSystem& to_;
     Problems& problems_;
+    static constexpr int card_columns = 100;
+    mutable std::vector<std::bitset<card_columns + 2>> asked_;  ///< by line: columns that were asked for; 101: beyond
+    bool line_0_is_title_ = true;
+    bool ends_early_ = false;
     std::vector<std::pair<int, std::string>> misread_;  ///< line and field of every word that was no number
 };
 

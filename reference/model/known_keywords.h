@@ -48,9 +48,13 @@ enum class Keyword {
     history_node,
     history_rigid_body,
     analysis,
-    harmless,    ///< neither physics nor output
-    output,      ///< steers only output that this program does not write: a warning
-    unsupported  ///< would change the physics: an error
+    random,           ///< moves nodes at random unless its amplitude is 0
+    harmless,         ///< neither physics nor output
+    output,           ///< steers only output that is not written or element formulations: one warning for all
+    definition,       ///< harmless until something refers to it
+    element,          ///< belongs to elements whose forces are not computed: an error
+    other_interface,  ///< a contact that is not TYPE21: an error
+    unsupported       ///< would change the physics: an error
 };
 
 /// A keyword and how many of the card's words name it; the next word is the id, the one after it the unit_ID.

@@ -54,6 +54,33 @@ void resolve_constant_gap(const CardValidator& validator) {
             "Give Gapmin");
 }
 
+/// The search reaches farther than one element. What DEPTH is raised to, the largest gap, is the cause as soon as it is
+/// longer than the edge itself: a smaller DEPTH would then change nothing.
+void warn_of_wide_search(const CardValidator& validator) {
+    const Interface& it = validator.interface;
+    const std::string edge = validator.length(it.shortest_edge);
+    if (it.largest_gap <= it.shortest_edge) {
+        validator.warning(
+            "DEPTH",
+            fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one element",
+                        edge),
+            "Give a smaller DEPTH unless nodes really get that deep");
+        return;
+    }
+    const std::string rule = fmt::format(
+        "makes the largest gap {}, which is longer than the shortest secondary edge {}: more of the mesh is searched "
+        "than one element, whatever DEPTH is",
+        validator.length(it.largest_gap), edge);
+    if (it.igap == 0 || it.gapmin >= it.largest_gap) {
+        validator.warning("Gapmin", rule, "Give a smaller Gapmin, or a coarser blank");
+        return;
+    }
+    const bool scaled = it.fscalegap > 1;
+    validator.warning(scaled ? "Fscalegap" : "Igap",
+                      scaled ? rule : "takes the gap from the thickness of the blank: it " + rule,
+                      "Give a Gapmax below the edge, or a coarser blank");
+}
+
 /// @manual field DEPTH; comment 4
 void resolve_depth(const CardValidator& validator) {
     Interface& it = validator.interface;
@@ -63,12 +90,7 @@ void resolve_depth(const CardValidator& validator) {
     } else if (it.depth < it.largest_gap) {
         take_by_rule(it.depth, it.largest_gap, fmt::format("raised from {} to the largest gap", it.depth.value));
     }
-    if (it.depth > it.shortest_edge)
-        validator.warning(
-            "DEPTH",
-            fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one element",
-                        validator.length(it.shortest_edge)),
-            "Give a smaller DEPTH unless nodes really get that deep");
+    if (it.depth > it.shortest_edge) warn_of_wide_search(validator);
 }
 
 }  // namespace

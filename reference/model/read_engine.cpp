@@ -1,28 +1,16 @@
 #include <array>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "reference/deck/text_file.h"
+#include "reference/model/engine_keywords.h"
 #include "reference/model/numbers.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
 
 namespace {
-
-/// Neither physics nor results: listings, timing, restarts, and the order of sums, which is fixed here anyway.
-const std::set<std::string>& harmless() {
-    static const std::set<std::string> words{"VERS", "PRINT", "PARITH", "MON", "RFILE", "TITLE", "PROC", "REPORT"};
-    return words;
-}
-
-/// Output that this program does not write.
-const std::set<std::string>& output() {
-    static const std::set<std::string> words{"ANIM", "H3D", "OUTP", "STATE", "TH", "DYNAIN", "ABF", "SENSOR"};
-    return words;
-}
 
 /// One card of the engine deck: numbers in free format, in the work units.
 class EngineCard {
@@ -38,6 +26,14 @@ class EngineCard {
     }
 
     bool has(size_t i) const { return i < values_.size(); }
+
+    /// False and an error when the card has no number at all: its data line is lost.
+    bool need(std::string_view fields) {
+        if (has(0)) return true;
+        complain(Severity::error, nullptr, "", "no number",
+                 fmt::format("the card ends early: it needs a data line ({})", fields), "Add the line");
+        return false;
+    }
 
     /// Number i of the card; 0 when it is not there.
     double number(size_t i, std::string_view field) {
@@ -84,7 +80,7 @@ class EngineCard {
 
   private:
     void split(const DataLine& line) {
-        std::string_view rest = line.text;
+        std::string_view rest = line.text();
         while (true) {
             const size_t first = rest.find_first_not_of(" ,");
             if (first == std::string_view::npos) return;
@@ -130,6 +126,7 @@ void read_step(EngineCard& card, EngineControl& engine) {
         return;
     }
     engine.nodal_step = true;
+    if (!card.need("scale factor, Tmin")) return;
     const double factor = card.number(0, "scale factor");
     const double smallest = card.number(1, "Tmin");
     if (factor < 0 || factor > 1) {
@@ -152,6 +149,7 @@ void read_step(EngineCard& card, EngineControl& engine) {
 void read_limits(EngineCard& card, EngineControl& engine) {
     const std::array<std::pair<std::string_view, std::optional<double>*>, 2> fields{
         {{"DTini", &engine.first_step}, {"DTmax", &engine.largest_step}}};
+    if (!card.need("DTini, DTmax")) return;
     for (size_t i = 0; i < fields.size(); ++i) {
         const double value = card.number(i, fields[i].first);
         if (value < 0) {
@@ -163,6 +161,7 @@ void read_limits(EngineCard& card, EngineControl& engine) {
 }
 
 void read_interval(EngineCard& card, EngineControl& engine) {
+    if (!card.need("DTHIS")) return;
     const double interval = card.number(0, "DTHIS");
     if (interval < 0) {
         card.error("DTHIS", interval, dim::time, "an interval is not negative", "Give 0 for every cycle");
@@ -195,10 +194,9 @@ void read_card(Reading& reading, const Card& entry) {
         read_interval(card, engine);
     } else if (word == "STOP") {
         read_stop(card);
-    } else if (output().count(word) != 0) {
-        card.ignore(Severity::warning, true, "this keyword steers output that is not written here; it is ignored",
-                    "Nothing needs to be done");
-    } else if (harmless().count(word) == 0) {
+    } else if (engine_keyword(word) == EngineKeyword::output) {
+        reading.ignore(entry);
+    } else if (engine_keyword(word) == EngineKeyword::unsupported) {
         card.ignore(Severity::error, false, "this keyword is not supported and may change the physics",
                     "Remove the card, or model the effect otherwise");
     }

@@ -37,6 +37,7 @@ FrictionCoefficients coefficients(CardReader& reader, size_t line, int ifric, co
         reader.error(static_cast<int>(line) + 1, "Fric", fmt::format("{}", read.fric),
                      "a friction coefficient is not negative", "Give a value such as 0.1");
     }
+    reader.unused(line + 1, 41, 60, 20);  // VISf
     if (ifric == 3) {
         for (const ConditionFault& fault : rules.renard_faults(read.c, reader.to())) {
             reader.error(static_cast<int>(fault.rank < 5 ? line : line + 1), fmt::format("C{}", fault.rank + 1),
@@ -85,9 +86,15 @@ void read_friction(Reading& reading) {
         model.xfreq = reader.real(1, 21, 40, "Xfreq", frequency);
         if (const auto fault = rules.filter_fault(model.ifiltr, model.xfreq))
             reader.error(1, "Xfreq", quantity(reader, model.xfreq, frequency), fault->rule, fault->remedy);
+        reader.unused(1, 41, 50, 10);  // Iform
         model.fallback = coefficients(reader, 2, model.ifric, rules);
         for (size_t line = 4; line < reader.line_count(); line += 3) {
             if (reader.blank(line, 1, 100)) continue;
+            if (!reader.has_line(line + 2)) {
+                reader.error(static_cast<int>(line), "", "", "the card ends early: a pair of parts needs three lines",
+                             "Add the lines that are missing: part_ID1 part_ID2; C1 to C5; C6 Fric VISf");
+                break;
+            }
             model.pairs.push_back(read_pair(reading, reader, line, model.ifric));
         }
         models.push_back(std::move(model));

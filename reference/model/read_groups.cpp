@@ -85,9 +85,9 @@ void read_groups(Reading& reading) {
         NodeGroup& group = groups[static_cast<size_t>(index)];
         const std::vector<int> nodes = groups[static_cast<size_t>(from)].nodes;
         group.nodes.insert(group.nodes.end(), nodes.begin(), nodes.end());
-        sort_once(group);
     };
-    read_compounds(reading, Keyword::group_group, reading.groups, next, start, append);
+    const auto finish = [&](int index) { sort_once(groups[static_cast<size_t>(index)]); };
+    read_compounds(reading, Keyword::group_group, reading.groups, next, start, append, finish);
 }
 
 }  // namespace type21

@@ -130,6 +130,7 @@ void read_nodes(Reading& reading, CardReader& reader, size_t line, HistoryReques
             reader.warning(static_cast<int>(line), "skew_ID", skew, "local axes are not supported here",
                            "The node is written in global axes");
         }
+        reader.skip(line, 21, 101);  // the name
         request.objects.push_back(found->second);
     }
 }

@@ -2,12 +2,12 @@
 #include "reference/model/read_interface_card.h"
 
 #include <algorithm>
-#include <bitset>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "reference/model/interface_fields.h"
+#include "reference/model/numbers.h"
 
 namespace type21 {
 namespace {
@@ -45,6 +45,7 @@ int release_code(CardReader& card, const InterfaceField& field) {
     const int line = data_line(field.line);
     int code = 0;
     bool good = card.blank(static_cast<size_t>(line), 1, field.first - 1);
+    card.skip(static_cast<size_t>(line), 1, field.last);
     for (int column = field.first; column <= field.last; ++column) {
         const std::string digit = card.text(static_cast<size_t>(line), column, column);
         good = good && (digit.empty() || digit == " " || digit == "0" || digit == "1");
@@ -73,6 +74,15 @@ struct Reading {
     }
 };
 
+/// True for 0 and for the value that 0 stands for: reading or not reading it is the same.
+bool means_its_default(const CardReader& card, const InterfaceField& field) {
+    double value = 0;
+    if (parse_real(card.text(static_cast<size_t>(data_line(field.line)), field.first, field.last), value) !=
+        NumberFault::none)
+        return true;  // what is no number has had its message
+    return value == 0 || (field.name == "AscaleF" && value == 1) || (field.name == "Pskid" && value >= no_limit);
+}
+
 void read_field(CardReader& card, const InterfaceField& field, int version, Interface& interface) {
     const auto line = static_cast<size_t>(data_line(field.line));
     const bool blank = card.blank(line, field.first, field.last);
@@ -81,7 +91,8 @@ void read_field(CardReader& card, const InterfaceField& field, int version, Inte
         // As if its columns were blank: the default takes the place of 0 afterwards.
         with_field(interface, field, [](auto& value) { value.value = {}; });
         origin = {Origin::Kind::absent, 0, fmt::format("read from version {} on", field.since)};
-        if (!blank)
+        card.unused(line, field.first, field.last, field.last - field.first + 1);
+        if (!blank && !means_its_default(card, field))
             card.warning(data_line(field.line), field.name, card.text(line, field.first, field.last),
                          fmt::format("is ignored: version {} of /BEGIN does not have it, it is read from version {} on",
                                      version, field.since),
@@ -95,38 +106,10 @@ void read_field(CardReader& card, const InterfaceField& field, int version, Inte
 
 void note_multimp(CardReader& card, int version) {
     const auto line = static_cast<size_t>(data_line(1));
+    if (version <= last_version_with_multimp) card.unused(line, 51, 60, 10);
     if (version > last_version_with_multimp || card.blank(line, 51, 60)) return;
     card.warning(data_line(1), "Multimp", card.text(line, 51, 60),
                  "has no effect: the memory for candidates is found by itself", "Leave columns 51 to 60 blank");
-}
-
-/// A number beside its field would be lost without a word: mostly a line that is shifted.
-void note_unread_columns(CardReader& card, int version) {
-    for (int line = 1; line <= card_lines; ++line) {
-        std::bitset<columns + 2> read;
-        for (const InterfaceField& field : interface_fields())
-            if (field.line == line)
-                for (int column = field.first; column <= field.last; ++column)
-                    read.set(static_cast<size_t>(column));
-        if (line == 1 && version <= last_version_with_multimp)
-            for (size_t column = 51; column <= 60; ++column)
-                read.set(column);
-        if (line == 5)  // columns 1 to 7 are checked with IBC
-            for (size_t column = 1; column <= 7; ++column)
-                read.set(column);
-        for (int first = 1; first <= columns; ++first) {
-            if (read.test(static_cast<size_t>(first))) continue;
-            int last = first;
-            while (last < columns && !read.test(static_cast<size_t>(last) + 1))
-                ++last;
-            if (!card.blank(static_cast<size_t>(data_line(line)), first, last))
-                card.warning(data_line(line), fmt::format("columns {} to {}", first, last),
-                             card.text(static_cast<size_t>(data_line(line)), first, last),
-                             fmt::format("are ignored: line {} of the card has no field there", line),
-                             "Check that the numbers of the line stand in their columns");
-            first = last;
-        }
-    }
 }
 
 }  // namespace
@@ -141,7 +124,7 @@ bool read_interface_card(CardReader& card, int version, Interface& interface) {
                 }) == reals)
                 read_field(card, field, version, interface);
     note_multimp(card, version);
-    note_unread_columns(card, version);
+    card.finish();
     return true;
 }
 

@@ -44,6 +44,12 @@ void from_tensile_test(CardReader& reader, std::array<double, 5>& plastic) {
 void read_plasticity(CardReader& reader, Material& material) {
     const Id iflag = reader.integer(2, 41, 50, "Iflag");
     const bool tensile = iflag == 1;
+    reader.unused(2, 51, 60, 10);  // VP
+    reader.unused(2, 61, 80, 20);  // Pmin
+    reader.unused(4, 1, 40, 20);   // c, EPS_DOT_0
+    reader.unused(4, 41, 60, 10);  // ICC, Fsmooth
+    reader.unused(4, 61, 100, 20);
+    reader.unused(5, 1, 100, 20);  // m, Tmelt, rho_Cp, Tr, Tmax
     auto& p = material.plastic;
     p[0] = reader.real(3, 1, 20, tensile ? "sig_y" : "a", dim::pressure);
     p[1] = reader.real(3, 21, 40, tensile ? "UTS" : "b", dim::pressure);
@@ -68,7 +74,8 @@ void read_law(Reading& reading, Keyword keyword, MaterialLaw law) {
         material.title = reader.text(0, 1, 100);
         material.law = law;
         material.density = reader.real(1, 1, 20, "rho", dim::density);
-        const bool is_void = law == MaterialLaw::none;  // its one line holds all three
+        if (law != MaterialLaw::none) reader.unused(1, 21, 40, 20);  // reference density, for solids
+        const bool is_void = law == MaterialLaw::none;               // its one line holds all three
         const size_t line = is_void ? 1 : 2;
         const int first = is_void ? 21 : 1;
         material.young = reader.real(line, first, first + 19, "E", dim::pressure);
@@ -87,6 +94,13 @@ void read_properties(Reading& reading) {
         Property property;
         property.id = id;
         property.title = reader.text(0, 1, 100);
+        reader.unused(1, 1, 60, 10);  // Ishell, Ismstr, Ish3n, Idrill, Ipinch
+        reader.unused(1, 61, 100, 20);
+        reader.unused(2, 1, 100, 20);  // hm, hf, hr, dm, dn
+        reader.unused(3, 11, 20, 10);  // Istrain
+        reader.unused(3, 41, 60, 20);  // Ashear
+        reader.unused(3, 61, 70, 10);
+        reader.unused(3, 81, 100, 10);  // Iplas, Ipos
         property.integration_points = static_cast<int>(reader.integer(3, 1, 10, "N"));
         property.thickness = reader.real(3, 21, 40, "Thick", dim::length);
         property.thickness_change = static_cast<int>(reader.integer(3, 71, 80, "Ithick"));
@@ -116,6 +130,7 @@ void read_parts(Reading& reading) {
         part.title = reader.text(0, 1, 100);
         part.property = reading.reference(reader, 1, 1, 10, "prop_ID", reading.properties, true);
         part.material = reading.reference(reader, 1, 11, 20, "mat_ID", reading.materials, true);
+        reader.unused(1, 21, 30, 10);  // subset_ID
         part.contact_thickness = reader.real(1, 31, 50, "Thick", dim::length);
         if (part.contact_thickness < 0) {
             reader.error(1, "Thick", quantity(reader, part.contact_thickness, dim::length),

@@ -1,22 +1,26 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "reference/deck/text_file.h"
 #include "reference/model/degenerate_quad.h"
+#include "reference/model/mesh_line.h"
+#include "reference/model/numbers.h"
 #include "reference/model/reading.h"
 
 namespace type21 {
 
 namespace {
 
-struct NodeLine {
-    Id id = 0;
-    Vec3 position = Vec3::Zero();
-    const Card* card = nullptr;
-    size_t line = 0;
-    size_t unit_position = 1;
+/// Where a node or shell stands: card of the reading, data line of the card.
+struct Source {
+    std::uint32_t card = 0;
+    std::uint32_t line = 0;
 };
 
 /// An id has more than one owner: says so at the second.
@@ -33,54 +37,98 @@ bool valid_id(CardReader& reader, size_t line, std::string_view field, Id id) {
     return false;
 }
 
-std::vector<NodeLine> node_lines(Reading& reading) {
-    std::vector<NodeLine> read;
+/// The nodes of a line that is not plain, by the reader that says what is wrong with it.
+std::optional<PlainNode> node_of(CardReader& reader, size_t line) {
+    if (reader.blank(line, 1, 100)) return std::nullopt;
+    PlainNode node;
+    node.id = reader.integer(line, 1, 10, "node_ID");
+    node.position = {reader.real_as_written(line, 11, 30, "X"), reader.real_as_written(line, 31, 50, "Y"),
+                     reader.real_as_written(line, 51, 70, "Z")};
+    return valid_id(reader, line, "node_ID", node.id) ? std::optional(node) : std::nullopt;
+}
+
+size_t lines_of(const Reading& reading, Keyword keyword) {
     size_t count = 0;
     for (const ReadCard& entry : reading.cards) {
-        if (entry.match.keyword == Keyword::node) count += entry.card->lines.size();
+        if (entry.match.keyword == keyword) count += entry.card->lines.size();
     }
-    read.reserve(count);
-    for (const ReadCard& entry : reading.cards) {
-        if (entry.match.keyword != Keyword::node) continue;
-        CardReader reader = reading.reader(*entry.card, 1);
-        for (size_t line = 0; line < reader.line_count(); ++line) {
-            if (reader.blank(line, 1, 100)) continue;
-            NodeLine node;
-            node.card = entry.card;
-            node.line = line;
-            node.id = reader.integer(line, 1, 10, "node_ID");
-            node.position.x() = reader.real(line, 11, 30, "X", dim::length);
-            node.position.y() = reader.real(line, 31, 50, "Y", dim::length);
-            node.position.z() = reader.real(line, 51, 70, "Z", dim::length);
-            if (valid_id(reader, line, "node_ID", node.id)) read.push_back(node);
+    return count;
+}
+
+/// All nodes in the order of the deck, and where they stand.
+std::vector<Source> read_node_lines(Reading& reading, Nodes& nodes) {
+    std::vector<Source> sources;
+    const size_t count = lines_of(reading, Keyword::node);
+    sources.reserve(count);
+    nodes.id.reserve(count);
+    nodes.position.reserve(count);
+    nodes.line.reserve(count);
+    for (size_t card = 0; card < reading.cards.size(); ++card) {
+        if (reading.cards[card].match.keyword != Keyword::node) continue;
+        const std::vector<DataLine>& lines = reading.cards[card].card->lines;
+        CardReader reader = reading.reader(*reading.cards[card].card, 1);
+        const double factor = conversion(reader.from(), reader.to(), dim::length);
+        for (size_t line = 0; line < lines.size(); ++line) {
+            std::optional<PlainNode> node = plain_node(lines[line].text());
+            if (!node) node = node_of(reader, line);
+            if (!node) continue;
+            Vec3 position(node->position[0], node->position[1], node->position[2]);
+            position *= factor;
+            if (!position.allFinite()) {  // the reader says which
+                position = {reader.real(line, 11, 30, "X", dim::length), reader.real(line, 31, 50, "Y", dim::length),
+                            reader.real(line, 51, 70, "Z", dim::length)};
+            }
+            nodes.id.push_back(node->id);
+            nodes.position.push_back(position);
+            nodes.line.push_back(lines[line].number);
+            sources.push_back({static_cast<std::uint32_t>(card), static_cast<std::uint32_t>(line)});
         }
+        reader.finish();
     }
-    return read;
+    return sources;
+}
+
+/// Says that the id of the second place is taken by the first.
+void complain_of_twins(Reading& reading, std::string_view field, Id id, const Source& first, const Source& second) {
+    const Card& card = *reading.cards[second.card].card;
+    CardReader reader(reading.deck, card, reading.model.input_units, reading.model.units, reading.problems);
+    const Place place = reading.deck.place(reading.cards[first.card].card->lines[first.line]);
+    complain_of_twin(reader, second.line, field, id, place.file, place.line);
+}
+
+/// Nodes in the order of their ids, each id once.
+void sort_nodes(Reading& reading, Nodes& nodes, const std::vector<Source>& sources) {
+    std::vector<std::uint32_t> order(nodes.id.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return nodes.id[a] < nodes.id[b]; });
+    Nodes sorted;
+    sorted.id.reserve(order.size());
+    sorted.position.reserve(order.size());
+    sorted.line.reserve(order.size());
+    std::uint32_t before = 0;
+    for (const std::uint32_t i : order) {
+        if (!sorted.id.empty() && sorted.id.back() == nodes.id[i]) {
+            complain_of_twins(reading, "node_ID", nodes.id[i], sources[before], sources[i]);
+            continue;
+        }
+        sorted.id.push_back(nodes.id[i]);
+        sorted.position.push_back(nodes.position[i]);
+        sorted.line.push_back(nodes.line[i]);
+        before = i;
+    }
+    nodes = std::move(sorted);
 }
 
 void read_nodes(Reading& reading) {
-    std::vector<NodeLine> read = node_lines(reading);
-    std::stable_sort(read.begin(), read.end(), [](const NodeLine& a, const NodeLine& b) { return a.id < b.id; });
     Nodes& nodes = reading.model.nodes;
-    nodes.id.reserve(read.size());
-    nodes.position.reserve(read.size());
-    nodes.line.reserve(read.size());
-    nodes.index.reserve(read.size());
-    const NodeLine* before = nullptr;
-    for (const NodeLine& node : read) {
-        const DataLine& place = node.card->lines[node.line];
-        if (before != nullptr && before->id == node.id) {
-            CardReader reader = reading.reader(*node.card, 1);
-            const Place first = reading.deck.place(before->card->lines[before->line]);
-            complain_of_twin(reader, node.line, "node_ID", node.id, first.file, first.line);
-            continue;
-        }
-        nodes.index.emplace(node.id, nodes.size());
-        nodes.id.push_back(node.id);
-        nodes.position.push_back(node.position);
-        nodes.line.push_back(place.number);
-        before = &node;
-    }
+    const std::vector<Source> sources = read_node_lines(reading, nodes);
+    const bool ascending =
+        std::adjacent_find(nodes.id.begin(), nodes.id.end(), std::greater_equal<>()) == nodes.id.end();
+    if (!ascending) sort_nodes(reading, nodes, sources);
+    nodes.index.reserve(nodes.id.size());
+    for (size_t i = 0; i < nodes.id.size(); ++i)
+        nodes.index.emplace(nodes.id[i], static_cast<int>(i));
 }
 
 /// Node indices of a shell; false when one is missing or the shape is none.
@@ -125,45 +173,87 @@ double thickness_of(Reading& reading, CardReader& reader, size_t line, int part)
     return property.thickness;
 }
 
-struct ShellPlace {
-    Id id = 0;
-    const Card* card = nullptr;
-    size_t line = 0;
-};
+/// A plain line whose shell needs no word: four or three different nodes that are there, and a thickness.
+bool read_plain_shell(const Reading& reading, const PlainShell& line, double factor, int part, Shell& shell) {
+    const auto& n = line.node;
+    const bool triangle = n[3] == n[2];
+    if (part < 0 || n[0] == n[1] || n[1] == n[2] || n[0] == n[2] || (!triangle && (n[0] == n[3] || n[1] == n[3])))
+        return false;
+    for (size_t corner = 0; corner < 4; ++corner) {
+        const auto found = reading.model.nodes.index.find(n[corner]);
+        if (found == reading.model.nodes.index.end()) return false;
+        shell.node[corner] = found->second;
+    }
+    shell.thickness = line.thickness * factor;
+    if (shell.thickness == 0) {
+        const int property = reading.model.parts[static_cast<size_t>(part)].property;
+        if (property >= 0) shell.thickness = reading.model.properties[static_cast<size_t>(property)].thickness;
+    }
+    shell.id = line.id;
+    shell.part = part;
+    return shell.thickness > 0 && std::isfinite(shell.thickness);
+}
 
-void check_twins(Reading& reading, std::vector<ShellPlace> places, std::string_view field) {
-    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-    for (size_t i = 1; i < places.size(); ++i) {
-        if (places[i].id != places[i - 1].id) continue;
-        CardReader reader(reading.deck, *places[i].card, reading.model.input_units, reading.model.units,
-                          reading.problems);
-        const Place first = reading.deck.place(places[i - 1].card->lines[places[i - 1].line]);
-        complain_of_twin(reader, places[i].line, field, places[i].id, first.file, first.line);
+/// The same by the reader that says what is wrong. The id, where it is one, is in the shell.
+bool read_shell(Reading& reading, CardReader& reader, size_t line, int corners, std::string_view field, int part,
+                Shell& shell) {
+    shell = {};
+    shell.id = reader.integer(line, 1, 10, field);
+    if (!valid_id(reader, line, field, shell.id)) return false;
+    shell.part = part;
+    shell.thickness = thickness_of(reading, reader, line, part);
+    reader.unused(line, 61, 80, 20);  // the angle of the material's axes
+    return read_corners(reading, reader, line, corners, shell) && part >= 0;
+}
+
+/// Ids that two shells have; where the ids ascend in the deck there are none.
+void check_twins(Reading& reading, Keyword keyword, std::string_view field) {
+    std::vector<std::pair<Id, Source>> ids;
+    ids.reserve(lines_of(reading, keyword));
+    for (size_t card = 0; card < reading.cards.size(); ++card) {
+        if (reading.cards[card].match.keyword != keyword) continue;
+        const std::vector<DataLine>& lines = reading.cards[card].card->lines;
+        for (size_t line = 0; line < lines.size(); ++line) {
+            Id id = 0;
+            const std::string_view word = trimmed(lines[line].text().substr(0, 10));
+            if (parse_integer(word, id) == NumberFault::none && id > 0)
+                ids.push_back({id, {static_cast<std::uint32_t>(card), static_cast<std::uint32_t>(line)}});
+        }
+    }
+    std::stable_sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (size_t i = 1; i < ids.size(); ++i) {
+        if (ids[i].first == ids[i - 1].first)
+            complain_of_twins(reading, field, ids[i].first, ids[i - 1].second, ids[i].second);
     }
 }
 
 /// /SHELL/part and /SH3N/part: corners from column 11 on, the thickness in columns 81 to 100 of both.
 void read_shells(Reading& reading, Keyword keyword, int corners, std::string_view field) {
-    std::vector<ShellPlace> places;
+    bool ascending = true;
+    Id before = 0;
+    reading.model.shells.reserve(reading.model.shells.size() + lines_of(reading, keyword));
     for (const ReadCard& entry : reading.cards) {
         if (entry.match.keyword != keyword) continue;
         CardReader reader = reading.reader(*entry.card, 2);
+        const double factor = conversion(reader.from(), reader.to(), dim::length);
         const std::optional<Id> part_id = id_of(*entry.card, 1, reader);
         const int part =
             part_id ? reading.reference(reader, keyword_line, "part_ID", *part_id, reading.parts, true) : -1;
         for (size_t line = 0; line < reader.line_count(); ++line) {
-            if (reader.blank(line, 1, 100)) continue;
             Shell shell;
-            shell.id = reader.integer(line, 1, 10, field);
-            if (!valid_id(reader, line, field, shell.id)) continue;
-            places.push_back({shell.id, entry.card, line});
-            shell.part = part;
-            shell.thickness = thickness_of(reading, reader, line, part);
-            const bool complete = read_corners(reading, reader, line, corners, shell);
-            if (complete && part >= 0) reading.model.shells.push_back(shell);
+            const auto plain = plain_shell(entry.card->lines[line].text(), corners);
+            bool good = plain && read_plain_shell(reading, *plain, factor, part, shell);
+            if (!good) {
+                if (reader.blank(line, 1, 100)) continue;
+                good = read_shell(reading, reader, line, corners, field, part, shell);
+            }
+            ascending = ascending && shell.id > before;
+            before = shell.id;
+            if (good) reading.model.shells.push_back(shell);
         }
+        reader.finish();
     }
-    check_twins(reading, std::move(places), field);
+    if (!ascending) check_twins(reading, keyword, field);
 }
 
 }  // namespace

@@ -150,7 +150,9 @@ void read_rigid_bodies(Reading& reading) {
         const int group = reading.reference(reader, 1, 61, 70, "grnod_ID", reading.groups, true);
         body.icog = choice(reader, 81, "ICoG", 4, 1);
         refuse_unless_zero(reader, 1, 91, 100, "surf_ID", "the inertia of an envelope surface is");
+        reader.unused(1, 71, 80, 10);  // Ikrem
         const Added added = read_added(reader);
+        reader.unused(4, 1, 40, 10);  // Ioptoff, Iexpams
         refuse_unless_zero(reader, 4, 41, 50, "Ifail", "failure of a rigid body is");
         warn_of_excess(reader, 5);
         if (group >= 0) body.nodes = model.groups[static_cast<size_t>(group)].nodes;

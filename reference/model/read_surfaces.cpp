@@ -81,6 +81,7 @@ void read_segments(Reading& reading, CardReader& reader, const ShellFinder& find
     for (size_t line = 1; line < reader.line_count(); ++line) {
         if (reader.blank(line, 1, 60)) continue;
         std::array<Id, 4> ids{};
+        reader.unused(line, 1, 10, 10);  // the number of the segment
         for (int corner = 0; corner < 4; ++corner) {
             ids[static_cast<size_t>(corner)] = reader.integer(line, 11 + 10 * corner, 20 + 10 * corner, "node_ID");
         }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "reference/deck/text_file.h"
+#include "reference/model/card_lines.h"
 #include "reference/model/numbers.h"
 #include "reference/model/resolve_interfaces.h"
 
@@ -37,12 +38,14 @@ void Reading::each(Keyword keyword, Registry& registry, const std::function<int(
                               "Give each its own id, or remove one");
             continue;
         }
+        card_reader.need(needed_lines(keyword));
         read(card_reader, *id);
+        card_reader.finish();
     }
 }
 
-int Reading::reference(CardReader& reader, size_t line, std::string_view field, Id id, const Registry& registry,
-                       bool required) {
+int Reading::member(CardReader& reader, size_t line, std::string_view field, Id id, const Registry& registry,
+                    bool required) {
     const auto where = static_cast<int>(line);
     if (id == 0) {
         if (required) {
@@ -52,16 +55,62 @@ int Reading::reference(CardReader& reader, size_t line, std::string_view field, 
         return -1;
     }
     const int index = registry.find(id);
-    if (index < 0 && registry.entries.count(id) == 0 && registry.unsupported.count(id) == 0) {
+    if (index >= 0 || registry.entries.count(id) != 0 || registry.unsupported.count(id) != 0) return index;
+    if (const auto unread = registry.unread.find(id); unread != registry.unread.end()) {
+        reader.error(where, field, fmt::format("{}", id),
+                     fmt::format("names {}, a card that is not supported", unread->second),
+                     fmt::format("Use another kind of {}", registry.keyword));
+    } else {
         reader.error(where, field, fmt::format("{}", id), fmt::format("there is no {} with this id", registry.keyword),
                      fmt::format("Add the {} card, or correct the id", registry.keyword));
     }
     return index;
 }
 
+int Reading::reference(CardReader& reader, size_t line, std::string_view field, Id id, const Registry& registry,
+                       bool required) {
+    const int index = member(reader, line, field, id, registry, required);
+    if (index < 0 || !is_empty(registry, index)) return index;
+    reader.error(static_cast<int>(line), field, fmt::format("{}", id),
+                 fmt::format("this {} is empty, so the card would act on nothing", registry.keyword),
+                 "Add its members, or remove the card");
+    return -1;
+}
+
+bool Reading::is_empty(const Registry& registry, int index) const {
+    const auto i = static_cast<size_t>(index);
+    if (&registry == &groups) return i < model.groups.size() && model.groups[i].nodes.empty();
+    if (&registry == &surfaces) return i < model.surfaces.size() && model.surfaces[i].segments.empty();
+    return false;
+}
+
 int Reading::reference(CardReader& reader, size_t line, int first, int last, std::string_view field,
                        const Registry& registry, bool required) {
     return reference(reader, line, field, reader.integer(line, first, last, field), registry, required);
+}
+
+void Reading::ignore(const Card& card) {
+    if (!first_ignored_) first_ignored_ = deck.place(card);
+    const std::string second = card.words.size() > 1 ? card.words[1] : "";
+    const bool with_kind = card.words[0] == "TH" || card.words[0] == "DEFAULT";
+    ++ignored_["/" + card.words[0] + (with_kind && !second.empty() ? "/" + second : "")];
+}
+
+void Reading::say_ignored() {
+    if (!first_ignored_) return;
+    std::string list;
+    for (const auto& [keyword, count] : ignored_) {
+        list += fmt::format("{}{}{}", list.empty() ? "" : ", ", keyword, count > 1 ? fmt::format(" ({})", count) : "");
+    }
+    Problem problem;
+    problem.severity = Severity::warning;
+    problem.place = *first_ignored_;
+    problem.value = list;
+    problem.rule =
+        "these cards are ignored: they steer output that is not written here or elements whose forces are "
+        "not computed";
+    problem.remedy = "Nothing needs to be done";
+    problems.add(problem);
 }
 
 std::optional<Id> id_of(const Card& card, size_t position, CardReader& reader) {
@@ -102,6 +151,7 @@ std::vector<ListedId> listed_ids(CardReader& reader, size_t first_line, std::str
             reader.warning(static_cast<int>(line), field, reader.text(line, 101, 10000),
                            "a line of ids has ten fields of ten columns; what stands beyond column 100 is not read",
                            "Continue on the next line");
+        reader.skip(line, 101, 101);
     }
     return ids;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -25,6 +26,8 @@ struct Registry {
     std::unordered_map<Id, Entry> entries;
     /// Ids of cards that are not supported: reported once as such, so that a reference to them is no second message.
     std::unordered_set<Id> unsupported;
+    /// Keywords of cards that are not read and harmless until something refers to them.
+    std::unordered_map<Id, std::string> unread = {};
 
     /// Index in the model, -1 if the id is not there.
     int find(Id id) const {
@@ -62,15 +65,27 @@ struct Reading {
     void each(Keyword keyword, Registry& registry, const std::function<int()>& index,
               const std::function<void(CardReader&, Id)>& read);
 
-    /// Index of what a field names. 0 or blank: -1, an error if it is required. An id that no card has: -1 and an
-    /// error.
+    /// Index of what a field names. 0 or blank: -1, an error if it is required. An id that no card has, and a group or
+    /// surface that is empty: -1 and an error.
     int reference(CardReader& reader, size_t line, std::string_view field, Id id, const Registry& registry,
                   bool required);
     /// reference() to the integer in these columns.
     int reference(CardReader& reader, size_t line, int first, int last, std::string_view field,
                   const Registry& registry, bool required);
 
+    /// The same for a set that may still be empty, as a member of another set may.
+    int member(CardReader& reader, size_t line, std::string_view field, Id id, const Registry& registry, bool required);
+
     CardReader reader(const Card& card, size_t unit_position);
+
+    /// Counts a card that is not read because nothing here depends on it; say_ignored() makes one warning of them.
+    void ignore(const Card& card);
+    void say_ignored();
+
+  private:
+    bool is_empty(const Registry& registry, int index) const;
+    std::map<std::string, int> ignored_;  ///< how often each keyword is there
+    std::optional<Place> first_ignored_;
 };
 
 /// The id in word `position` of a keyword; none and an error when it is not a positive integer.
@@ -94,9 +109,11 @@ std::vector<ListedId> listed_ids(CardReader& reader, size_t first_line, std::str
 /// contains itself is an error.
 /// @param start  makes the new entry of the model
 /// @param append adds entry `from` to entry `index`; turned: its id was negative
+/// @param finish called for an entry that is complete
 void read_compounds(Reading& reading, Keyword keyword, Registry& registry, const std::function<int()>& next,
                     const std::function<void(const CardReader&, Id)>& start,
-                    const std::function<void(int index, int from, bool turned)>& append);
+                    const std::function<void(int index, int from, bool turned)>& append,
+                    const std::function<void(int index)>& finish = {});
 
 /// Direction X, Y, Z, XX, YY, ZZ as 0..5; -1 and an error for another word.
 int direction(CardReader& reader, size_t line, int first, int last);

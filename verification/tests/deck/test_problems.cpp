@@ -60,6 +60,30 @@ TEST(Problems, ManyValuesOfOneFieldShareAMessageAfterTheTwentieth) {
     EXPECT_EQ(problems.list().back().value, "(other values)");
 }
 
+TEST(Problems, OfEachSeverityFiveHundredAreKept) {
+    Problems problems;
+    for (int i = 0; i < 3000; ++i) {
+        Problem problem = sample();
+        problem.field = std::to_string(i);
+        problem.severity = Severity::warning;
+        problems.add(problem);
+    }
+    EXPECT_EQ(problems.list().size(), 501U);
+    EXPECT_EQ(problems.list().back().count, 2500);
+    EXPECT_FALSE(problems.has_errors());
+    problems.add(sample());
+    EXPECT_TRUE(problems.has_errors()) << "no number of warnings hides an error";
+    EXPECT_EQ(problems.list().size(), 502U);
+}
+
+TEST(Problems, AValueOfAnyLengthIsShownInBounds) {
+    Problems problems;
+    Problem problem = sample();
+    problem.value = std::string(100000, '[');
+    problems.add(problem);
+    EXPECT_LT(to_text(problems.list()[0]).size(), 600U);
+}
+
 TEST(Problems, WarningsAloneAreNoErrors) {
     Problems problems;
     Problem problem = sample();

@@ -52,7 +52,7 @@ std::string sets() {
 std::string motion() {
     return "/RBODY/7\ntool\n       201         0         0         0                0.02         2         0         "
            "4\n" +
-           reals({"1000.0", "1000.0", "1000.0"}) + reals({"0.0", "0.0", "0.0"}) + "/BCS/1\nguide\n   110 111" +
+           reals({"1000.0", "1000.0", "1000.0"}) + reals({"0.0", "0.0", "0.0"}) + "\n/BCS/1\nguide\n   110 111" +
            ints({"0", "3"}) + "/BCS/2\nblank\n   111 111" + ints({"0", "1"}) + "/FUNCT/1\nstroke\n" +
            reals({"0.0", "0.0"}) + reals({"1.0", "1.0"}) + "/IMPVEL/1\ndown\n" +
            ints({"1", "Z", "0", "0", "3", "0", "0"}) + reals({"1.0", "-1000.0", "0.0", "0.0"});

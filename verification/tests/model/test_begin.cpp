@@ -76,7 +76,7 @@ TEST(Unit, ACardMayNameItsOwnUnits) {
 
 TEST(Unit, AScaleLeftBlankIsOneInTheUnitsOfTheCard) {
     const Resolved r = resolved(
-        with_cards("/UNIT/5\nms\n" + reals({"Mg", "m", "ms"}) + "/IMPDISP/2/5\nd\n" + ints({"1", "X", "", "", "3"})));
+        with_cards("/UNIT/5\nms\n" + reals({"Mg", "m", "ms"}) + "/IMPDISP/2/5\nd\n" + ints({"1", "X", "", "", "3"}) + "\n"));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     ASSERT_EQ(r.model.imposed_motions.size(), 2U);
     EXPECT_DOUBLE_EQ(r.model.imposed_motions[1].scale_x, 1e-3);

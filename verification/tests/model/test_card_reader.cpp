@@ -110,6 +110,67 @@ TEST_F(CardReaderTest, AWordCutByTheBorderIsAWarning) {
     EXPECT_FALSE(problems.has_errors());
 }
 
+TEST_F(CardReaderTest, NumbersThatNoOneAskedForAreAWarning) {
+    CardReader& r = read({"title 7", "         1         2                 3.5", "         4"});
+    EXPECT_EQ(r.integer(1, 1, 10, "A"), 1);
+    EXPECT_EQ(r.integer(2, 1, 10, "B"), 4);
+    r.finish();
+    ASSERT_EQ(problems.list().size(), 1U);
+    EXPECT_EQ(first().severity, Severity::warning);
+    EXPECT_EQ(first().field, "columns 11 to 100");
+    EXPECT_EQ(first().value, "2                 3.5");
+    EXPECT_EQ(first().place.line, 12);
+}
+
+TEST_F(CardReaderTest, ZerosBlanksAndRemarksThereAreSilent) {
+    CardReader& r = read({"title", "         1         0                 0.0", "         2  # of 3", "         3"});
+    for (size_t line = 1; line < 4; ++line)
+        r.integer(line, 1, 10, "A");
+    r.finish();
+    EXPECT_TRUE(problems.list().empty());
+}
+
+TEST_F(CardReaderTest, WhatIsNoNumberThereIsAnError) {
+    for (const char* word : {"NaN", "0x1", "--1", "1,5", "1.5+3", "1e4x", "inf"}) {
+        problems = {};
+        CardReader& r = read({"title", std::string("         1    ") + word});
+        r.integer(1, 1, 10, "A");
+        r.finish();
+        ASSERT_EQ(problems.error_count(), 1) << word;
+        EXPECT_EQ(first().value, word);
+        problems = {};
+        CardReader& declared = read({"title", std::string("         1    ") + word});
+        declared.integer(1, 1, 10, "A");
+        declared.unused(1, 11, 20, 10);
+        declared.finish();
+        ASSERT_EQ(problems.error_count(), 1) << word;
+        EXPECT_EQ(first().field, "columns 11 to 20") << word;
+    }
+}
+
+TEST_F(CardReaderTest, AnUnusedFieldMayHoldAnyNumber) {
+    CardReader& r = read({"title", "         1        24     1e400                         5"});
+    r.integer(1, 1, 10, "A");
+    r.unused(1, 11, 60, 10);
+    r.finish();
+    EXPECT_TRUE(problems.list().empty());
+}
+
+TEST_F(CardReaderTest, WhatStandsBeyondTheCardIsSaidOnce) {
+    CardReader& r = read({"title", "         1" + std::string(95, ' ') + "7", "  10000001 2"});
+    r.integer(1, 1, 10, "A");
+    r.integer(2, 1, 9, "B");
+    r.finish();
+    ASSERT_EQ(problems.list().size(), 3U);
+    EXPECT_NE(problems.list()[0].rule.find("border"), std::string::npos);
+    EXPECT_EQ(problems.list()[1].field, "columns beyond 100");
+    EXPECT_EQ(problems.list()[2].value, "2") << "the word that is cut has had its message";
+}
+
+TEST_F(CardReaderTest, AControlCharacterOfATextIsWrittenOut) {
+    EXPECT_EQ(read({"a\x1b[31mb"}).text(0, 1, 100), "a\\x1b[31mb");
+}
+
 TEST(Numbers, Reals) {
     double value = 0;
     for (const auto& [word, expected] : {std::pair<const char*, double>{"1.0D+3", 1000},

@@ -1,0 +1,75 @@
+#include "reference/deck/printable.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace type21 {
+
+namespace {
+
+struct Character {
+    std::size_t bytes = 1;
+    char32_t code = 0;
+    bool valid = false;
+};
+
+/// The character at the beginning of a text that is not empty.
+Character first_character(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return {1, lead, true};
+    const std::size_t bytes = lead >= 0xF0 && lead < 0xF5 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC2 ? 2 : 0;
+    if (bytes == 0 || lead >= 0xF5 || text.size() < bytes) return {};
+    char32_t code = lead & (0x7FU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        const auto next = static_cast<unsigned char>(text[i]);
+        if ((next & 0xC0U) != 0x80U) return {};
+        code = (code << 6U) | (next & 0x3FU);
+    }
+    const bool overlong = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
+    if (overlong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return {};
+    return {bytes, code, true};
+}
+
+bool steers(char32_t code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || code == 0x2028 ||
+           code == 0x2029 || (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string written_out(const Character& character, unsigned char byte) {
+    if (!character.valid || character.code < 0x100) {
+        if (character.code == '\n') return "\\n";
+        if (character.code == '\r') return "\\r";
+        if (character.code == '\t') return "\\t";
+        return fmt::format("\\x{:02x}", character.valid ? static_cast<unsigned>(character.code) : byte);
+    }
+    return fmt::format("\\u{:04x}", static_cast<unsigned>(character.code));
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    const bool plain = std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+    if (plain) return std::string(text);
+    std::string out;
+    while (!text.empty()) {
+        const Character character = first_character(text);
+        if (character.valid && !steers(character.code)) {
+            out += text.substr(0, character.bytes);
+        } else {
+            out += written_out(character, static_cast<unsigned char>(text[0]));
+        }
+        text.remove_prefix(character.bytes);
+    }
+    return out;
+}
+
+std::string printable(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return printable(text);
+    std::size_t end = most;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        --end;  // never through a character
+    return fmt::format("{} ... ({} characters)", printable(text.substr(0, end)), text.size());
+}
+
+}  // namespace type21

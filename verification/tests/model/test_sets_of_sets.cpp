@@ -1,0 +1,68 @@
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "driven_scene.h"
+
+namespace type21 {
+namespace {
+
+using namespace test;
+
+std::string chain(const std::string& keyword, int first, int count, int end) {
+    std::string cards;
+    for (int i = 0; i < count; ++i)
+        cards += fmt::format("{}/{}\nlink\n{:>10}\n", keyword, first + i, i + 1 < count ? first + i + 1 : end);
+    return cards;
+}
+
+TEST(SetsOfSets, ALongChainFromItsWrongEndIsMade) {
+    const Resolved r = resolved(with_cards(chain("/GRNOD/GRNOD", 100, 20000, 2) + chain("/SURF/SURF", 100, 20000, 2)));
+    EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
+    const auto group = [&](Id id) {
+        for (const NodeGroup& g : r.model.groups)
+            if (g.id == id) return g.nodes.size();
+        return size_t{0};
+    };
+    EXPECT_EQ(group(100), 4U);
+    EXPECT_EQ(group(20099), 4U);
+    for (const Surface& surface : r.model.surfaces)
+        if (surface.id != 1) EXPECT_EQ(surface.segments.size(), 1U) << surface.id;
+}
+
+TEST(SetsOfSets, ALongCycleIsAnErrorOfEverySetInIt) {
+    const Resolved r = resolved(with_cards(chain("/GRNOD/GRNOD", 100, 5000, 100)));
+    EXPECT_TRUE(r.problems.has_errors());
+    EXPECT_NE(find_rule(r.problems, "contain itself"), nullptr);
+    EXPECT_LE(r.problems.list().size(), 501U) << "the number of messages is bounded";
+}
+
+TEST(SetsOfSets, OneSetOfManyListsEachNodeOnce) {
+    std::string cards = "/GRNOD/GRNOD/50\nall\n";
+    for (int i = 0; i < 500; ++i)
+        cards += ints({"1", "2", "3", "1", "2", "3", "1", "2", "3", "1"});
+    const Resolved r = resolved(with_cards(cards));
+    EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
+    EXPECT_EQ(r.model.groups.back().nodes.size(), 10U);
+}
+
+TEST(SetsOfSets, AnEmptyGroupIsAnErrorWhereACardUsesIt) {
+    const std::string empty = "/GRNOD/NODE/50\nnobody\n/GRNOD/GRNOD/51\nnobody either\n" + ints({"50"});
+    EXPECT_TRUE(resolved(with_cards(empty)).problems.list().empty()) << "nothing refers to them";
+    for (const char* id : {"50", "51"}) {
+        for (const std::string& card :
+             {"/CLOAD/1\nf\n" + ints({"1", "Z", "0", "0", id}), "/BCS/9\nb\n   111 111" + ints({"0", id}),
+              "/IMPVEL/9\nv\n" + ints({"1", "X", "0", "0", id}) + "\n"}) {
+            const Problem p = only(resolved(with_cards(empty + card)).problems);
+            EXPECT_EQ(p.severity, Severity::error);
+            EXPECT_EQ(p.value, id);
+            EXPECT_NE(p.rule.find("is empty"), std::string::npos) << p.rule;
+        }
+    }
+    const std::string surface = "/SURF/SEG/50\nnothing\n/GRNOD/SURF/51\nof nothing\n" + ints({"50"});
+    EXPECT_NE(find_rule(resolved(with_cards(surface)).problems, "/SURF is empty"), nullptr);
+}
+
+}  // namespace
+}  // namespace type21
