@@ -1,3 +1,5 @@
+#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <memory>
 
@@ -6,6 +8,7 @@
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
 #include "verification/criteria/cases/case_file.h"
+#include "verification/report/comparison_junit.h"
 #include "verification/results/compare/compare_file.h"
 #include "verification/results/compare/comparison_text.h"
 #include "verification/results/t01/t01_records.h"
@@ -16,10 +19,47 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CompareArguments {
-    std::string ours, reference, json;
-    std::optional<double> tolerance;
-    std::vector<std::string> columns;
+    std::string ours, reference, json, junit;
+    std::optional<double> tolerance, time_scale, until;
+    std::vector<std::string> columns, map, scale;
 };
+
+/// "FNX=Force X" at its first '='.
+std::pair<std::string, std::string> split_pair(const std::string& option, const std::string& text) {
+    const size_t equal = text.find('=');
+    if (equal == std::string::npos || equal == 0 || equal + 1 == text.size())
+        throw UsageError(
+            fmt::format("{} {}: write {}", option, text,
+                        option == "--map" ? "OURS=THEIRS, such as FNX='Force X'" : "COLUMN=FACTOR, such as FNX=1000"));
+    return {text.substr(0, equal), text.substr(equal + 1)};
+}
+
+double factor_in(const std::string& text, const std::string& where) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) || value == 0)
+        throw UsageError(fmt::format("{}: '{}' is not a finite number other than 0", where, text));
+    return value;
+}
+
+FolderOptions folder_options(const CompareArguments& options) {
+    FolderOptions out;
+    out.tolerance = options.tolerance;
+    out.columns = options.columns;
+    out.until = options.until;
+    for (const std::string& text : options.map)
+        out.changes.map.push_back(split_pair("--map", text));
+    for (const std::string& text : options.scale) {
+        const auto [column, factor] = split_pair("--scale", text);
+        out.changes.scale.emplace_back(column, factor_in(factor, "--scale " + text));
+    }
+    if (options.time_scale && !(*options.time_scale > 0 && std::isfinite(*options.time_scale)))
+        throw UsageError(fmt::format("--time-scale {}: write a number larger than 0", *options.time_scale));
+    if (options.until && !std::isfinite(*options.until))
+        throw UsageError(fmt::format("--until {}: write a time", *options.until));
+    out.changes.time_scale = options.time_scale;
+    return out;
+}
 
 void require_folder(const std::string& folder) {
     std::error_code error;
@@ -37,28 +77,40 @@ std::string as_built_of(const fs::path& folder) {
 int report(const FolderComparison& comparison, const CompareArguments& options) {
     fmt::print("{}", to_text(comparison));
     if (!options.json.empty()) write_report(options.json, to_json(comparison));
+    if (!options.junit.empty()) write_report(options.junit, comparison_junit(comparison));
     return comparison.ok() ? exit_ok : exit_mismatch;
 }
 
 /// A file that cannot be read is treated like a deck with errors: a message with the place, and exit code 2.
 int compare_with_file(const CompareArguments& options) {
     try {
-        return report(compare_file(options.ours, options.reference, {options.tolerance, options.columns, {}}), options);
+        return report(compare_file(options.ours, options.reference, folder_options(options)), options);
     } catch (const T01Error& error) {
         fmt::print(stderr, "{}\n", error.what());
     } catch (const CsvError& error) {
         fmt::print(stderr, "{}\n", error.what());
     } catch (const UnclearReference& error) {
         throw UsageError(error.what());
+    } catch (const WrongOption& error) {
+        throw UsageError(error.what());
     }
     return exit_deck;
 }
 
+FolderComparison folders_compared(const CompareArguments& options, const FolderOptions& settings) {
+    try {
+        return compare_folders(options.ours, options.reference, settings);
+    } catch (const WrongOption& error) {
+        throw UsageError(error.what());
+    }
+}
+
 int compare(const CompareArguments& options) {
     require_folder(options.ours);
-    if (std::error_code error; fs::is_regular_file(options.reference, error)) return compare_with_file(options);
+    if (std::error_code error; fs::exists(options.reference, error) && !fs::is_directory(options.reference, error))
+        return compare_with_file(options);
     require_folder(options.reference);
-    FolderOptions folder_options{options.tolerance, options.columns, {}};
+    FolderOptions settings = folder_options(options);
     bool foreign = false;
     const std::string as_built = as_built_of(options.ours);
     if (fs::exists(fs::path(options.reference) / "case.toml")) {
@@ -67,10 +119,9 @@ int compare(const CompareArguments& options) {
         for (const std::string& problem : problems)
             fmt::print(stderr, "{}\n", problem);
         if (!problems.empty()) return exit_deck;
-        folder_options.rules = rules_of(a_case, as_built, foreign);
+        settings.rules = rules_of(a_case, as_built, foreign);
     }
-    const FolderComparison comparison = compare_folders(options.ours, options.reference, folder_options);
-    const int code = report(comparison, options);
+    const int code = report(folders_compared(options, settings), options);
     if (foreign && !as_built.empty())
         fmt::print(
             "note: {} was run with the departures '{}'; the criteria of the case are for other departures (see "
@@ -97,7 +148,17 @@ void add_compare(CLI::App& app, int& exit_code) {
         ->check(CLI::NonNegativeNumber);
     verb->add_option("--columns", options->columns, "compare only these columns, such as FNX,FNZ (default: all)")
         ->delimiter(',');
+    verb->add_option(
+            "--map", options->map,
+            "OURS=THEIRS: our column and the reference's header for it, such as FNX='Force X'; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--scale", options->scale,
+                     "COLUMN=FACTOR: multiply a column of the reference, such as FNX=1000; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("--time-scale", options->time_scale, "multiply the times of the reference by this");
+    verb->add_option("--until", options->until, "compare up to this time [time of the run]");
     verb->add_option("--json", options->json, "also write the output to this JSON file");
+    verb->add_option("--junit", options->junit, "also write JUnit XML to this file: one test for each column");
     verb->callback([options, &exit_code] { exit_code = compare(*options); });
 }
 

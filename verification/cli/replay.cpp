@@ -1,4 +1,3 @@
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "verification/decisions/fuzz/judgement.h"
 #include "verification/decisions/queries/decision_json.h"
 #include "verification/decisions/queries/decision_text.h"
+#include "verification/support/shown_text.h"
 
 namespace type21::cli {
 namespace {
@@ -16,14 +16,6 @@ namespace {
 struct ReplayArguments {
     std::string file, with;
 };
-
-/// The method that the file names as tested.
-std::string method_in(const std::string& file) {
-    std::ifstream stream(file);
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
-    return json.is_object() && json.contains("with") && json["with"].is_string() ? json["with"].get<std::string>()
-                                                                                 : "reference";
-}
 
 /// @return true if the answer is wrong
 bool replay_query(const DecisionBlock& block, size_t q, DecideWith method) {
@@ -45,12 +37,12 @@ int replay(const ReplayArguments& options) {
     for (const std::string& problem : problems)
         fmt::print(stderr, "{}\n", problem);
     if (!problems.empty()) return exit_deck;
-    const std::string with = options.with.empty() ? method_in(options.file) : options.with;
+    const std::string with = options.with.empty() ? file.with : options.with;
     DecideWith method = DecideWith::reference;
     try {
-        method = method_named(with);
+        if (!with.empty()) method = method_named(with);
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "{}: /with: {}\n", options.file, error.what());
+        fmt::print(stderr, "{}: /with: {}\n", options.file, shown(error.what(), 160));
         return exit_deck;
     }
     bool wrong = false;

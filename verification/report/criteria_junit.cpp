@@ -3,36 +3,9 @@
 #include <fmt/format.h>
 
 #include "verification/report/criteria_report.h"
+#include "verification/report/escaped_xml.h"
 
 namespace type21 {
-namespace {
-
-/// Markup escaped; control characters, which XML forbids, become '?'.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-        }
-    }
-    return out;
-}
-
-}  // namespace
-
 std::string criteria_junit(const std::vector<CriterionResult>& results) {
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const CriterionResult& result) { return !result.ok; });
@@ -41,17 +14,17 @@ std::string criteria_junit(const std::vector<CriterionResult>& results) {
         "failures=\"{}\">\n",
         results.size(), failed);
     for (const CriterionResult& result : results) {
-        out += fmt::format("<testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", escaped(result.case_name),
-                           escaped(result.run), escaped(result.id), result.seconds);
+        out += fmt::format("<testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", escaped_xml(result.case_name),
+                           escaped_xml(result.run), escaped_xml(result.id), result.seconds);
         if (result.skipped) {
-            out += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped(result.detail));
+            out += fmt::format("><skipped message=\"{}\"/></testcase>\n", escaped_xml(result.detail));
         } else if (result.ok) {
             out += "/>\n";
         } else {
             out += fmt::format(
                 "><failure message=\"got {}, expected {}, difference {:.3e}, tolerance {:.3e}: {}\"/></testcase>\n",
-                escaped(result.got), escaped(result.expected), result.difference, result.tolerance,
-                escaped(result.detail));
+                escaped_xml(result.got), escaped_xml(result.expected), result.difference, result.tolerance,
+                escaped_xml(result.detail));
         }
     }
     return out + "</testsuite>\n</testsuites>\n";

@@ -1,12 +1,14 @@
 #include "verification/decisions/atlas/atlas.h"
 
 #include <algorithm>
-#include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "verification/decisions/queries/decision_json.h"
 #include "verification/decisions/queries/decision_text.h"
+#include "verification/support/json_file.h"
+#include "verification/support/shown_text.h"
 
 namespace type21 {
 
@@ -29,23 +31,24 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::vector<std::st
 }
 
 /// The parts that the format of decide does not have. Only called for a file that has the format.
-void read_words(const fs::path& file, AtlasEntry& entry, std::vector<std::string>& problems) {
-    std::ifstream stream(file);
-    const auto json = nlohmann::json::parse(stream);
-    entry.title = json.value("title", "");
-    entry.what = json.value("what", "");
-    if (entry.title.empty() || entry.what.empty())
-        problems.push_back(fmt::format("{}: /: 'title' or 'what' is missing", file.string()));
-    const auto& block = json.at("blocks").at(0);
-    if (block.contains("note")) entry.note = block.at("note").get<std::vector<std::string>>();
+void read_words(const nlohmann::json& json, JsonReader& reader, AtlasEntry& entry) {
+    const auto words = [&](const char* key, const char* what) {
+        const nlohmann::json* text = reader.member(json, key, "", what);
+        return text ? reader.text(*text, json_place("", key)) : std::string();
+    };
+    entry.title = words("title", "a text");
+    entry.what = words("what", "one sentence");
+    const std::string place = "/blocks/0";
+    const nlohmann::json& block = json.at("blocks").at(0);
+    if (block.contains("note")) {
+        const nlohmann::json& notes = reader.list(block, "note", place);
+        for (size_t i = 0; i < notes.size(); ++i)
+            entry.note.push_back(reader.text(notes[i], json_place(place + "/note", i)));
+    }
     if (entry.note.size() != entry.block.queries.size())
-        problems.push_back(fmt::format("{}: /blocks/0/note: {} notes for {} queries", file.string(), entry.note.size(),
-                                       entry.block.queries.size()));
-    if (!block.contains("double")) return;
-    // Read by the same reader, as the answers of a copy.
-    auto copy = json;
-    copy["blocks"][0]["answers"] = block.at("double");
-    entry.double_answers = decisions_of(copy, file.string() + " (double)", problems).blocks.at(0).answers;
+        reader.complain(place + "/note",
+                        fmt::format("{} notes for {} queries", entry.note.size(), entry.block.queries.size()));
+    if (block.contains("double")) entry.double_answers = read_answers(reader, block, "double", place, entry.block);
 }
 
 }  // namespace
@@ -54,19 +57,22 @@ std::vector<AtlasEntry> read_atlas(const fs::path& folder, const std::vector<std
                                    std::vector<std::string>& problems) {
     std::vector<AtlasEntry> entries;
     for (const fs::path& file : files_of(folder, names, problems)) {
+        const std::string name = shown(file.string(), 400);
+        const std::optional<nlohmann::json> json = read_json(file, problems);
+        if (!json) continue;
         const size_t before = problems.size();
-        const DecisionFile read = read_decisions(file, problems);
+        const DecisionFile read = decisions_of(*json, name, problems);
         if (problems.size() > before) continue;
+        JsonReader reader(name, problems);
         if (read.blocks.size() != 1 || read.blocks[0].answers.empty()) {
-            problems.push_back(
-                fmt::format("{}: /blocks: an entry of the atlas is one block with answers", file.string()));
+            reader.complain("/blocks", "an entry of the atlas is one block with answers");
             continue;
         }
         AtlasEntry& entry = entries.emplace_back();
         entry.name = file.stem().string();
         entry.block = read.blocks[0];
         entry.warnings = warnings(entry.block.tool);
-        read_words(file, entry, problems);
+        read_words(*json, reader, entry);
     }
     return entries;
 }

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "optimized/projection/query.h"
+#include "reference/exact/fraction.h"
+#include "reference/exact/impact_enclosure.h"
 #include "verification/decisions/queries/tool_candidates.h"
 
 namespace type21 {
@@ -19,6 +21,24 @@ namespace {
 using Box = Eigen::AlignedBox3d;
 
 constexpr std::array methods{DecideWith::reference, DecideWith::optimized, DecideWith::exact, DecideWith::plain};
+
+/// Exact: the answers are, and a tool must not be called flat that takes a node, nor the other way round.
+bool has_area(const reference::SegmentShape<double>& shape) {
+    using Number = reference::Fraction;
+    for (int k = 1; k <= shape.sub_triangles(); ++k) {
+        const reference::SubTriangle<double> rounded = reference::sub_triangle(shape, k);
+        const double size =
+            std::max((rounded.b - rounded.a).cwiseAbs().maxCoeff(), (rounded.c - rounded.a).cwiseAbs().maxCoeff());
+        const double place = std::max(
+            {rounded.a.cwiseAbs().maxCoeff(), rounded.b.cwiseAbs().maxCoeff(), rounded.c.cwiseAbs().maxCoeff()});
+        // Beyond what rounding makes of the corners and of the product, and far from where squares underflow.
+        const double area = rounded.area.cwiseAbs().maxCoeff();
+        if (std::isfinite(area) && size > 1e-140 && area > 1e-12 * size * std::max(size, place)) return true;
+        if (reference::sub_triangle(reference::convert_to<Number>(shape), k).area != Vector<Number>::Zero())
+            return true;
+    }
+    return false;
+}
 
 double farthest_reach(const ContactQuery& query) {
     return std::max({query.gap, query.depth, query.proximity_reach});
@@ -129,13 +149,8 @@ double in_ulps(double length, const Vec3& point) {
 
 std::vector<std::string> warnings(const DecisionTool& tool) {
     size_t flat = 0;
-    for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s) {
-        const auto piece = shape_of(tool, s);
-        bool area = false;
-        for (int k = 1; k <= piece.sub_triangles(); ++k)
-            area = area || reference::sub_triangle(piece, k).area != Vec3::Zero();
-        if (!area) ++flat;
-    }
+    for (int s = 0; s < static_cast<int>(tool.segment.size()); ++s)
+        if (!has_area(shape_of(tool, s))) ++flat;
     // Normals of a Radioss run are unit to rounding; others are taken as given, as the limits are defined with them.
     const auto odd = std::count_if(tool.normal.begin(), tool.normal.end(),
                                    [](const Vec3& n) { return std::abs(n.stableNorm() - 1.0) > 1e-6; });

@@ -44,6 +44,7 @@ struct DecisionBlock {
 
 struct DecisionFile {
     std::string family;  ///< name of the question family that the queries were drawn from; may be empty
+    std::string with;    ///< the method under test that the fuzzer writes down; may be empty
     std::vector<DecisionBlock> blocks;
 };
 

@@ -1,10 +1,13 @@
 #include "verification/decisions/queries/decision_json.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "verification/support/json_file.h"
+#include "verification/support/shown_text.h"
 
 namespace type21 {
 
@@ -44,152 +47,144 @@ nlohmann::ordered_json to_hex(const Vec3& value) {
 
 namespace {
 
-/// Reads one document. Every complaint comes with its place, a JSON pointer.
-class Reader {
-  public:
-    Reader(std::string name, std::vector<std::string>& problems) : name_(std::move(name)), problems_(problems) {}
+/// The keys of the format, those that only the atlas, the fuzzer or the output of decide has among them.
+const JsonReader::Keys file_keys{"family",   "blocks", "name",  "title",   "what",
+                                 "warnings", "with",   "found", "program", "stage_counts"};
+const JsonReader::Keys block_keys{"nodes", "normals", "segments", "queries", "answers", "note", "double", "program"};
+const JsonReader::Keys query_keys{"p", "gap", "depth", "reach"};
+const JsonReader::Keys answer_keys{"segment", "triangle", "side", "kind", "stage", "margin", "margin_ulps", "ok"};
 
-    void complain(const std::string& place, const std::string& what) {
-        problems_.push_back(fmt::format("{}: {}: {}", name_, place.empty() ? "/" : place, what));
+/// Calls read(value, place) for each value of the list under a key.
+template <class Read>
+void each(JsonReader& reader, const Json& object, const char* key, const std::string& place, Read&& read) {
+    const Json& list = reader.list(object, key, place);
+    for (size_t i = 0; i < list.size(); ++i)
+        read(list[i], json_place(json_place(place, key), i));
+}
+
+double length_at_least_0(JsonReader& reader, const Json& object, const char* key, const std::string& place) {
+    const Json* json = reader.member(object, key, place, "a length");
+    if (!json) return 0;
+    const double value = reader.number(*json, json_place(place, key));
+    if (value < 0)
+        reader.complain(json_place(place, key), fmt::format("{} [length] is negative; it must be 0 or more", value));
+    return value;
+}
+
+Vec3 read_vector(JsonReader& reader, const Json& json, const std::string& place) {
+    if (!json.is_array() || json.size() != 3) {
+        reader.complain(place, fmt::format("{} stands where a list of three numbers is wanted", shown_json(json)));
+        return Vec3::Zero();
     }
+    Vec3 value;
+    for (size_t i = 0; i < 3; ++i)
+        value[static_cast<Eigen::Index>(i)] = reader.number(json[i], json_place(place, i));
+    return value;
+}
 
-    double number(const Json& json, const std::string& place) {
-        if (json.is_number()) return json.get<double>();
-        if (json.is_string()) {
-            const std::string& text = json.get_ref<const std::string&>();
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(value)) return value;
-        }
-        complain(place, fmt::format("{} is not a finite number; write a hex float such as \"0x1.8p+1\"", json.dump()));
-        return 0;
-    }
-
-    double limit(const Json& object, const char* key, const std::string& place) {
-        if (!object.contains(key)) {
-            complain(place, fmt::format("'{}' is missing; it is a length", key));
-            return 0;
-        }
-        const std::string here = fmt::format("{}/{}", place, key);
-        const double value = number(object.at(key), here);
-        if (value < 0) complain(here, fmt::format("{} [length] is negative; it must be 0 or more", value));
-        return value;
-    }
-
-    Vec3 vector(const Json& json, const std::string& place) {
-        if (!json.is_array() || json.size() != 3) {
-            complain(place, "this must be a list of three numbers");
-            return Vec3::Zero();
-        }
-        Vec3 value;
-        for (int i = 0; i < 3; ++i)
-            value[i] = number(json[static_cast<size_t>(i)], fmt::format("{}/{}", place, i));
-        return value;
-    }
-
-    /// @return the array under a key, or nothing with a complaint
-    const Json& array(const Json& object, const char* key, const std::string& place) {
-        static const Json none = Json::array();
-        if (object.is_object() && object.contains(key) && object.at(key).is_array()) return object.at(key);
-        complain(place, fmt::format("'{}' is missing or not a list", key));
-        return none;
-    }
-
-    std::array<int, 4> segment(const Json& json, size_t nodes, const std::string& place) {
-        std::array<int, 4> corner{};
-        if (!json.is_array() || json.size() != 4) {
-            complain(place, "this must be a list of four node indices; a triangle repeats its third");
-            return corner;
-        }
-        for (size_t j = 0; j < 4; ++j) {
-            const bool known = json[j].is_number_integer() && json[j].get<long>() >= 0 &&
-                               json[j].get<long>() < static_cast<long>(nodes);
-            if (known)
-                corner[j] = json[j].get<int>();
-            else
-                complain(fmt::format("{}/{}", place, j),
-                         fmt::format("{} is not the index of a node: 0 to {}", json[j].dump(), nodes - 1));
-        }
+std::array<int, 4> read_segment(JsonReader& reader, const Json& json, size_t nodes, const std::string& place) {
+    std::array<int, 4> corner{};
+    if (!json.is_array() || json.size() != 4) {
+        reader.complain(place, fmt::format("{} stands where a list of four node indices is wanted; a triangle repeats "
+                                           "its third",
+                                           shown_json(json)));
         return corner;
     }
+    for (size_t j = 0; j < 4; ++j)
+        corner[j] = static_cast<int>(
+            reader.integer(json[j], json_place(place, j), 0, static_cast<long>(nodes) - 1, "the index of a node:"));
+    return corner;
+}
 
-    DecisionAnswer answer(const Json& json, const std::string& place) {
-        DecisionAnswer value;
-        if (!json.is_object() || !json.contains("segment") || !json["segment"].is_number_integer()) {
-            complain(place, "an answer needs 'segment', 'triangle', 'side' and 'kind'");
-            return value;
-        }
-        const std::string kind = json.value("kind", "");
-        value.kind = kind == "contact" ? Kind::contact : (kind == "proximity" ? Kind::proximity : Kind::none);
-        if (name(value.kind) != kind) complain(place, fmt::format("kind '{}' is not contact, proximity or none", kind));
-        value.segment = json["segment"];
-        if (value.kind != Kind::none) {
-            value.triangle = json.value("triangle", 0);
-            value.side = json.value("side", 0);
-        }
-        return value;
-    }
+ContactQuery read_query(JsonReader& reader, const Json& json, const std::string& place) {
+    ContactQuery query;
+    if (!reader.object(json, place, query_keys)) return query;
+    if (const Json* point = reader.member(json, "p", place, "the position of the node"))
+        query.point = read_vector(reader, *point, json_place(place, "p"));
+    query.gap = length_at_least_0(reader, json, "gap", place);
+    query.depth = length_at_least_0(reader, json, "depth", place);
+    if (json.contains("reach")) query.proximity_reach = length_at_least_0(reader, json, "reach", place);
+    return query;
+}
 
-    DecisionBlock block(const Json& json, const std::string& place) {
-        DecisionBlock block;
-        const auto each = [&](const char* key, auto&& read) {
-            const Json& list = array(json, key, place);
-            for (size_t i = 0; i < list.size(); ++i)
-                read(list[i], fmt::format("{}/{}/{}", place, key, i));
-        };
-        each("nodes", [&](const Json& j, const std::string& at) { block.tool.node.push_back(vector(j, at)); });
-        each("normals", [&](const Json& j, const std::string& at) { block.tool.normal.push_back(vector(j, at)); });
-        if (block.tool.normal.size() != block.tool.node.size())
-            complain(place + "/normals", fmt::format("{} normals for {} nodes; each node needs one",
-                                                     block.tool.normal.size(), block.tool.node.size()));
-        each("segments", [&](const Json& j, const std::string& at) {
-            block.tool.segment.push_back(segment(j, block.tool.node.size(), at));
-        });
-        each("queries", [&](const Json& j, const std::string& at) {
-            if (!j.is_object() || !j.contains("p")) return complain(at, "'p' is missing; it is the node's position");
-            block.queries.push_back({vector(j["p"], at + "/p"), limit(j, "gap", at), limit(j, "depth", at),
-                                     j.contains("reach") ? limit(j, "reach", at) : 0.0});
-        });
-        if (json.is_object() && json.contains("answers")) {
-            each("answers", [&](const Json& j, const std::string& at) { block.answers.push_back(answer(j, at)); });
-            if (block.answers.size() != block.queries.size())
-                complain(place + "/answers",
-                         fmt::format("{} answers for {} queries", block.answers.size(), block.queries.size()));
-        }
-        return block;
-    }
+DecisionAnswer read_answer(JsonReader& reader, const Json& json, size_t segments, const std::string& place) {
+    DecisionAnswer answer;
+    if (!reader.object(json, place, answer_keys)) return answer;
+    const auto whole = [&](const char* key, std::string_view what, long low, long high) {
+        const Json* value = reader.member(json, key, place, what);
+        return value ? static_cast<int>(reader.integer(*value, json_place(place, key), low, high)) : 0;
+    };
+    const Json* word = reader.member(json, "kind", place, "contact, proximity or none");
+    if (!word) return answer;
+    const std::string kind = reader.text(*word, json_place(place, "kind"));
+    answer.kind = kind == "contact" ? Kind::contact : (kind == "proximity" ? Kind::proximity : Kind::none);
+    if (word->is_string() && name(answer.kind) != kind)
+        reader.complain(json_place(place, "kind"),
+                        fmt::format("'{}' is not contact, proximity or none", shown(std::string_view(kind))));
+    const bool none = answer.kind == Kind::none;
+    answer.segment =
+        whole("segment", "the rank of a segment, -1 for none", -1, none ? -1 : static_cast<long>(segments) - 1);
+    if (none) return answer;
+    answer.triangle = whole("triangle", "a sub-triangle, 1 to 4", 1, 4);
+    answer.side = whole("side", "+1 or -1", -1, 1);
+    return answer;
+}
 
-  private:
-    std::string name_;
-    std::vector<std::string>& problems_;
-};
+DecisionBlock read_block(JsonReader& reader, const Json& json, const std::string& place) {
+    DecisionBlock block;
+    if (!reader.object(json, place, block_keys)) return block;
+    DecisionTool& tool = block.tool;
+    each(reader, json, "nodes", place,
+         [&](const Json& j, const std::string& at) { tool.node.push_back(read_vector(reader, j, at)); });
+    each(reader, json, "normals", place,
+         [&](const Json& j, const std::string& at) { tool.normal.push_back(read_vector(reader, j, at)); });
+    if (tool.normal.size() != tool.node.size())
+        reader.complain(json_place(place, "normals"), fmt::format("{} normals for {} nodes; each node needs one",
+                                                                  tool.normal.size(), tool.node.size()));
+    each(reader, json, "segments", place, [&](const Json& j, const std::string& at) {
+        tool.segment.push_back(read_segment(reader, j, tool.node.size(), at));
+    });
+    each(reader, json, "queries", place,
+         [&](const Json& j, const std::string& at) { block.queries.push_back(read_query(reader, j, at)); });
+    if (json.contains("note"))
+        each(reader, json, "note", place, [&](const Json& j, const std::string& at) { reader.text(j, at); });
+    if (json.contains("answers")) block.answers = read_answers(reader, json, "answers", place, block);
+    return block;
+}
 
 }  // namespace
 
+std::vector<DecisionAnswer> read_answers(JsonReader& reader, const Json& block, const char* key,
+                                         const std::string& place, const DecisionBlock& read) {
+    std::vector<DecisionAnswer> answers;
+    each(reader, block, key, place, [&](const Json& j, const std::string& at) {
+        answers.push_back(read_answer(reader, j, read.tool.segment.size(), at));
+    });
+    if (answers.size() != read.queries.size())
+        reader.complain(json_place(place, key),
+                        fmt::format("{} answers for {} queries", answers.size(), read.queries.size()));
+    return answers;
+}
+
 DecisionFile decisions_of(const Json& json, const std::string& name, std::vector<std::string>& problems) {
-    Reader reader(name, problems);
+    JsonReader reader(name, problems);
     DecisionFile file;
-    if (json.is_object()) file.family = json.value("family", "");
-    const Json& blocks = reader.array(json, "blocks", "");
-    for (size_t i = 0; i < blocks.size(); ++i)
-        file.blocks.push_back(reader.block(blocks[i], fmt::format("/blocks/{}", i)));
+    if (!reader.object(json, "", file_keys)) return file;
+    const auto text = [&](const char* key) {
+        return json.contains(key) ? reader.text(json[key], json_place("", key)) : std::string();
+    };
+    for (const char* passed_over : {"name", "title", "what", "program"})
+        text(passed_over);
+    file.family = text("family");
+    file.with = text("with");
+    each(reader, json, "blocks", "",
+         [&](const Json& j, const std::string& at) { file.blocks.push_back(read_block(reader, j, at)); });
     return file;
 }
 
 DecisionFile read_decisions(const std::filesystem::path& file, std::vector<std::string>& problems) {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file)) {
-        problems.push_back(fmt::format("{}: cannot be read", file.string()));
-        return {};
-    }
-    try {
-        return decisions_of(Json::parse(stream), file.string(), problems);
-    } catch (const Json::parse_error& error) {
-        problems.push_back(fmt::format("{}: byte {}: is not JSON", file.string(), error.byte));
-    } catch (const Json::type_error& error) {
-        problems.push_back(fmt::format("{}: a value has the wrong type: {}", file.string(), error.what()));
-    }
-    return {};
+    const std::optional<Json> json = read_json(file, problems);
+    return json ? decisions_of(*json, shown(file.string(), 400), problems) : DecisionFile();
 }
 
 nlohmann::ordered_json to_json(const DecisionAnswer& answer) {

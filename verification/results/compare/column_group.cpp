@@ -13,6 +13,13 @@ bool is_axis(std::string_view text) {
     return text == "X" || text == "Y" || text == "Z";
 }
 
+double largest_of(const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
 /// "VRX" with the prefix "VR": true.
 bool is_component(std::string_view column, std::string_view prefix) {
     return column.starts_with(prefix) && is_axis(column.substr(prefix.size()));
@@ -35,19 +42,21 @@ std::string unit_group(std::string_view column) {
     return std::string(column);
 }
 
-std::vector<double> column_scales(const CsvTable& reference) {
+std::vector<double> column_scales(const CsvTable& reference, const CsvTable& ours, double tolerance) {
     std::vector<double> scales;
     std::map<std::string, double> group_largest;
     for (size_t c = 0; c < reference.columns.size(); ++c) {
-        double largest = 0;
-        for (const double value : reference.values[c])
-            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-        scales.push_back(largest);
+        scales.push_back(largest_of(reference.values[c]));
         double& group = group_largest[unit_group(reference.columns[c])];
-        group = std::max(group, largest);
+        group = std::max(group, scales.back());
     }
-    for (size_t c = 0; c < scales.size(); ++c)
-        scales[c] = std::max(scales[c], group_floor * group_largest[unit_group(reference.columns[c])]);
+    for (size_t c = 0; c < scales.size(); ++c) {
+        const double group = group_largest[unit_group(reference.columns[c])];
+        const std::optional<size_t> mine = ours.column(reference.columns[c]);
+        const double largest = std::max(scales[c], mine ? largest_of(ours.values[*mine]) : 0.0);
+        scales[c] =
+            largest <= std::min(tolerance, group_floor) * group ? group : std::max(scales[c], group_floor * group);
+    }
     return scales;
 }
 

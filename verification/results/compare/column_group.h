@@ -17,6 +17,9 @@ std::string unit_group(std::string_view column);
 /// A component that cancels (FNY beside |FNY|) is the rounding of its group. With the tolerance 1e-9 the floor is
 /// 1e-12 of the group, which sums of doubles over a few hundred cycles reach. NaN and infinity do not count. 0
 /// where the whole group is 0.
-std::vector<double> column_scales(const CsvTable& reference);
+///
+/// A column that stays below tolerance x the largest of its group (1e-3 at most) in both histories is nothing at that
+/// tolerance, such as a component that is 0 by symmetry: its scale is the largest of the group.
+std::vector<double> column_scales(const CsvTable& reference, const CsvTable& ours, double tolerance);
 
 }  // namespace type21

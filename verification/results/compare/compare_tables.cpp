@@ -6,6 +6,10 @@
 #include <fmt/format.h>
 
 #include "verification/results/compare/column_group.h"
+#include "verification/results/compare/header_name.h"
+#include "verification/results/compare/hints.h"
+#include "verification/support/nearest_word.h"
+#include "verification/support/shown_text.h"
 
 namespace type21 {
 namespace {
@@ -71,6 +75,36 @@ void complain_about_names(const CsvTable& ours, const CsvTable& reference, const
             out.mismatches.push_back(fmt::format("object {} is not in the reference", object));
 }
 
+std::string missing_column(const std::string& name, const CsvTable& ours) {
+    const std::string out = fmt::format("column {} is missing", shown(name));
+    // A name that a run may have was not asked for in the deck; what another name means, only its author knows.
+    if (!known_column(name).empty()) return out;
+    const std::string_view nearest = nearest_word(name, {ours.columns.begin(), ours.columns.end()});
+    return fmt::format("{}; --map {}='{}' says which of ours it is", out, nearest.empty() ? "OURS" : nearest,
+                       shown(name));
+}
+
+/// The rows of one object, or all.
+PairedColumn paired(const std::string& name, const std::vector<double>& ours, const std::vector<double>& reference,
+                    const RowMatch& match, std::optional<Id> object) {
+    PairedColumn out{name, {}, {}, {}};
+    for (const RowPair& pair : match.pairs) {
+        if (object && pair.object != *object) continue;
+        out.time.push_back(pair.time);
+        out.ours.push_back(value(ours, pair.ours));
+        out.reference.push_back(value(reference, pair.reference));
+    }
+    return out;
+}
+
+void add_row_hints(const CsvTable& ours, const CsvTable& reference, std::vector<std::string>& hints) {
+    const std::string ids =
+        hint_on_ids({ours.object.begin(), ours.object.end()}, {reference.object.begin(), reference.object.end()});
+    const std::string times = hint_on_times(ours.time, reference.time);
+    for (const std::string& hint : {ids, times})
+        if (!hint.empty()) hints.push_back(hint);
+}
+
 }  // namespace
 
 bool TableResult::ok() const {
@@ -92,12 +126,15 @@ TableResult compare_tables(const CsvTable& ours, const CsvTable& reference, cons
     complain_about_names(ours, reference, options, out);
 
     const CsvTable chosen = filtered(reference, {}, options.objects);
-    RowMatch match = match_rows(ours, chosen, options.window);
+    RowMatch match = match_rows(ours, chosen, options.window, options.shorter_reference);
     out.rows = match.pairs.size();
+    out.coverage = match.coverage;
     out.notes = std::move(match.notes);
     out.mismatches.insert(out.mismatches.end(), match.mismatches.begin(), match.mismatches.end());
 
-    const std::vector<double> scales = column_scales(filtered(chosen, options.window, {}));
+    const std::vector<double> scales =
+        column_scales(filtered(chosen, options.window, {}), filtered(ours, options.window, {}), options.tolerance);
+    HintList values;
     for (size_t c = 0; c < chosen.columns.size(); ++c) {
         const std::string& name = chosen.columns[c];
         if (contains(options.exclude, name)) {
@@ -107,14 +144,20 @@ TableResult compare_tables(const CsvTable& ours, const CsvTable& reference, cons
         if (!options.columns.empty() && !contains(options.columns, name)) continue;
         const std::optional<size_t> mine = ours.column(name);
         if (!mine) {
-            out.mismatches.push_back(fmt::format("column {} is missing", name));
+            out.mismatches.push_back(missing_column(name, ours));
             continue;
         }
         if (match.pairs.empty()) continue;
         ColumnResult result = compare_column(ours.values[*mine], chosen.values[c], match, chosen.has_object, scales[c],
                                              options.tolerance);
         result.column = name;
+        if (!result.ok)
+            values.add(name, hint_on_values(paired(name, ours.values[*mine], chosen.values[c], match, result.object)));
         out.columns.push_back(result);
+    }
+    if (!out.ok()) {
+        out.hints = values.lines();
+        add_row_hints(ours, chosen, out.hints);
     }
     if (out.columns.empty() && out.mismatches.empty()) out.mismatches.emplace_back("no column was compared");
     return out;

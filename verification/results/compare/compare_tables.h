@@ -19,6 +19,7 @@ struct CompareOptions {
     std::vector<std::string> exclude{};  ///< none of these
     std::vector<Id> objects{};           ///< only these nodes; empty: all
     TimeWindow window{};
+    bool shorter_reference = false;  ///< see match_rows()
 };
 
 /// One row of one column that differs by more than the tolerance.
@@ -48,8 +49,10 @@ struct TableResult {
     std::string ours, reference;  ///< file names
     size_t rows = 0;              ///< compared
     std::vector<ColumnResult> columns;
+    Coverage coverage;
     std::vector<std::string> notes;
     std::vector<std::string> mismatches;  ///< missing columns, rows without partner, ...
+    std::vector<std::string> hints;       ///< what may be behind a difference: units, signs, ids, ...
 
     bool ok() const;
     /// The column with the largest scaled difference; nullptr when none was compared.

@@ -23,6 +23,9 @@ std::string file_block(const FileComparison& file) {
         objects = objects || column.object.has_value();
     const std::string with = file.rule.ours == file.rule.reference ? "" : fmt::format(" with our {}", file.rule.ours);
     std::string out = fmt::format("{}{}: {} rows compared", file.name, with, file.table.rows);
+    if (file.table.rows > 0)
+        out += fmt::format(", t = {:.6g} to {:.6g}, {:.3g} % of the time of ours", file.table.coverage.from,
+                           file.table.coverage.until, 100 * file.table.coverage.share);
     if (!file.rule.label.empty()) out += fmt::format(", {}: {}", file.rule.label, file.rule.reason);
     out += '\n';
     out += fmt::format("  {:<9} {:>12} {:>12} {:>11} {:>13}{} {:>10}  verdict\n", "column", "difference", "scale",
@@ -33,6 +36,8 @@ std::string file_block(const FileComparison& file) {
         out += fmt::format("  note: {}\n", note);
     for (const std::string& mismatch : file.table.mismatches)
         out += fmt::format("  MISMATCH: {}\n", mismatch);
+    for (const std::string& hint : file.table.hints)
+        out += fmt::format("  hint: {}\n", hint);
     return out;
 }
 
@@ -75,6 +80,8 @@ std::string to_text(const FolderComparison& comparison) {
         out += fmt::format("note: {}\n", note);
     for (const std::string& mismatch : comparison.mismatches)
         out += fmt::format("MISMATCH: {}\n", mismatch);
+    for (const std::string& hint : comparison.hints)
+        out += fmt::format("hint: {}\n", hint);
     if (comparison.nothing_in_common)
         return out + "Nothing in common: the folders have no history that could be compared\n";
     const FileComparison* worst = nullptr;
@@ -103,9 +110,14 @@ Json to_json(const FolderComparison& comparison) {
                          {"rule", file.rule.label},
                          {"reason", file.rule.reason},
                          {"rows", file.table.rows},
+                         {"covered",
+                          {{"from", file.table.coverage.from},
+                           {"until", file.table.coverage.until},
+                           {"share", file.table.coverage.share}}},
                          {"columns", columns},
                          {"notes", file.table.notes},
-                         {"mismatches", file.table.mismatches}});
+                         {"mismatches", file.table.mismatches},
+                         {"hints", file.table.hints}});
     }
     Json first;
     if (const auto difference = comparison.first()) {
@@ -118,7 +130,8 @@ Json to_json(const FolderComparison& comparison) {
             {"first_difference", first},
             {"files", files},
             {"notes", comparison.notes},
-            {"mismatches", comparison.mismatches}};
+            {"mismatches", comparison.mismatches},
+            {"hints", comparison.hints}};
 }
 
 }  // namespace type21

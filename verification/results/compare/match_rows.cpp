@@ -46,9 +46,29 @@ bool find_side(const History& history, size_t time, double weight, Id object, Ro
     return true;
 }
 
+Coverage covered(const std::vector<double>& ours, const std::vector<double>& reference, const TimeWindow& window) {
+    const double begin = std::max(ours.front(), window.from), end = std::min(ours.back(), window.until);
+    Coverage out{std::max(begin, reference.front()), std::min(end, reference.back()), 1};
+    if (end > begin) out.share = std::max(0.0, (out.until - out.from) / (end - begin));
+    return out;
+}
+
+/// The first ten by name.
+void complain_about_missing(const std::map<Id, size_t>& missing, size_t times, std::vector<std::string>& mismatches) {
+    constexpr size_t most = 10;
+    size_t said = 0;
+    for (const auto& [object, count] : missing) {
+        if (said++ == most) {
+            mismatches.push_back(fmt::format("{} more objects have no partner", missing.size() - most));
+            return;
+        }
+        mismatches.push_back(fmt::format("object {} has no partner at {} of {} times", object, count, times));
+    }
+}
+
 }  // namespace
 
-RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeWindow& window) {
+RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeWindow& window, bool shorter_reference) {
     RowMatch match;
     if (ours.has_object != reference.has_object) {
         match.mismatches.emplace_back("only one of the two files has a node column");
@@ -62,8 +82,14 @@ RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeW
 
     const bool ours_thin = a.times.size() < b.times.size();
     const double rounding = std::max(ours.rounding, reference.rounding);
-    TimeMatch times = ours_thin ? match_times(a.times, "ours", b.times, "the reference", window, rounding)
-                                : match_times(b.times, "the reference", a.times, "ours", window, rounding);
+    const auto free_to_go_on = [&](bool is_ours) { return shorter_reference && is_ours; };
+    TimeMatch times = ours_thin ? match_times({a.times, "ours", free_to_go_on(true)},
+                                              {b.times, "the reference", free_to_go_on(false)}, window, rounding)
+                                : match_times({b.times, "the reference", free_to_go_on(false)},
+                                              {a.times, "ours", free_to_go_on(true)}, window, rounding);
+    match.coverage = covered(a.times, b.times, window);
+    if (shorter_reference && match.coverage.share == 0 && a.times.size() > 1)
+        match.mismatches.emplace_back("the reference covers no time of ours");
     match.interpolated = times.interpolated;
     match.notes = std::move(times.notes);
     match.mismatches.insert(match.mismatches.end(), times.mismatches.begin(), times.mismatches.end());
@@ -86,9 +112,7 @@ RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeW
             }
         }
     }
-    for (const auto& [object, count] : missing)
-        match.mismatches.push_back(
-            fmt::format("object {} has no partner at {} of {} times", object, count, times.pairs.size()));
+    complain_about_missing(missing, times.pairs.size(), match.mismatches);
     return match;
 }
 

@@ -20,8 +20,15 @@ struct RowPair {
     Side ours, reference;
 };
 
+/// The times that both histories cover, within the window.
+struct Coverage {
+    double from = 0, until = 0;  ///< [time]
+    double share = 1;            ///< of the times of ours that are in the window [-]
+};
+
 struct RowMatch {
     std::vector<RowPair> pairs;
+    Coverage coverage;
     bool interpolated = false;
     std::vector<std::string> notes;       ///< for the reader
     std::vector<std::string> mismatches;  ///< each makes the comparison fail
@@ -37,6 +44,9 @@ double time_tolerance(const std::vector<double>& a, const std::vector<double>& b
 /// interpolated linearly onto them; then only the overlap counts, and an end may be off by one step. Otherwise every
 /// time must have its partner, and neither file may go on beyond the other. The nodes of the reference decide: each
 /// must be there at each time.
-RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeWindow& window = {});
+/// @param shorter_reference  ours may begin before the reference and go on behind it; not the other way round, which
+///                           would be a run that stopped early
+RowMatch match_rows(const CsvTable& ours, const CsvTable& reference, const TimeWindow& window = {},
+                    bool shorter_reference = false);
 
 }  // namespace type21

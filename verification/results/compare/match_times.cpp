@@ -55,8 +55,10 @@ double time_tolerance(const std::vector<double>& a, const std::vector<double>& b
     return std::max(1e-6 * step, std::min(rounding * largest, 0.25 * step));
 }
 
-TimeMatch match_times(const std::vector<double>& thin, const std::string& thin_name, const std::vector<double>& full,
-                      const std::string& full_name, const TimeWindow& window, double rounding) {
+TimeMatch match_times(const TimesOf& thin_times, const TimesOf& full_times, const TimeWindow& window, double rounding) {
+    const std::vector<double>& thin = thin_times.times;
+    const std::vector<double>& full = full_times.times;
+    const std::string &thin_name = thin_times.name, &full_name = full_times.name;
     TimeMatch match;
     const double tolerance = time_tolerance(thin, full, rounding);
     const auto in_window = [&](double t) { return t >= window.from - tolerance && t <= window.until + tolerance; };
@@ -95,11 +97,13 @@ TimeMatch match_times(const std::vector<double>& thin, const std::string& thin_n
         match.notes.push_back(
             fmt::format("{} of {} outside the overlap left out", beyond_by_a_step.text("time"), thin_name));
     if (beyond.count > 0)
-        match.mismatches.push_back(fmt::format("{} of {} without a partner in {}, which covers t = {:.9g} to {:.9g}",
-                                               beyond.text("time"), thin_name, full_name, full.front(), full.back()));
+        (thin_times.may_go_on ? match.notes : match.mismatches)
+            .push_back(fmt::format("{} of {} without a partner in {}, which covers t = {:.9g} to {:.9g}",
+                                   beyond.text("time"), thin_name, full_name, full.front(), full.back()));
     if (rest.count > 0)
-        match.mismatches.push_back(fmt::format("{} of {} without a partner in {}, which covers t = {:.9g} to {:.9g}",
-                                               rest.text("time"), full_name, thin_name, thin.front(), thin.back()));
+        (full_times.may_go_on ? match.notes : match.mismatches)
+            .push_back(fmt::format("{} of {} without a partner in {}, which covers t = {:.9g} to {:.9g}",
+                                   rest.text("time"), full_name, thin_name, thin.front(), thin.back()));
     if (match.pairs.empty() && match.mismatches.empty())
         match.mismatches.push_back(fmt::format("{} and {} have no time in common", thin_name, full_name));
     return match;

@@ -21,10 +21,15 @@ struct TimeMatch {
     std::vector<std::string> notes, mismatches;
 };
 
-/// @param thin, full             ascending, thin.size() <= full.size(), neither empty [time]
-/// @param thin_name, full_name   for the messages
-/// @param rounding               of the times, see time_tolerance() [-]
-TimeMatch match_times(const std::vector<double>& thin, const std::string& thin_name, const std::vector<double>& full,
-                      const std::string& full_name, const TimeWindow& window, double rounding = 0);
+/// The times of one history.
+struct TimesOf {
+    const std::vector<double>& times;  ///< ascending, not empty [time]
+    std::string name;                  ///< for the messages
+    bool may_go_on = false;            ///< beyond the other: a note, and no mismatch
+};
+
+/// @param thin, full  thin.times.size() <= full.times.size()
+/// @param rounding    of the times, see time_tolerance() [-]
+TimeMatch match_times(const TimesOf& thin, const TimesOf& full, const TimeWindow& window, double rounding = 0);
 
 }  // namespace type21

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "verification/support/shown_text.h"
+
 namespace type21 {
 namespace {
 
@@ -91,7 +93,7 @@ std::string T01Records::text(std::size_t& at, int characters) const {
         at += static_cast<std::size_t>(storage_.text_slot);
     }
     out.erase(out.find_last_not_of(std::string_view(" \0", 2)) + 1);
-    return out;
+    return shown(out, out.size());
 }
 
 std::uintmax_t T01Records::text_bytes(std::uintmax_t characters) const {

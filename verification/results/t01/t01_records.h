@@ -49,7 +49,8 @@ class T01Records {
     /// Parts of the last record; `at` is moved behind what was read [byte].
     std::int32_t integer(std::size_t& at) const;
     double real(std::size_t& at) const;
-    /// @param characters  without the padding of the slots; blanks at the end are cut
+    /// @param characters  without the padding of the slots; blanks at the end are cut;
+    ///                    bytes that cannot be shown are escaped
     std::string text(std::size_t& at, int characters) const;
 
     /// Bytes that a text of so many characters takes.

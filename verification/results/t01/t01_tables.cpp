@@ -68,7 +68,10 @@ class Tables {
     CsvTable empty() const {
         CsvTable table;
         table.file = file_.file;
-        if (file_.storage.real_bytes == 4) table.rounding = float_rounding;
+        if (file_.storage.real_bytes == 4) {
+            table.rounding = float_rounding;
+            table.rounded_to = "single precision";
+        }
         return table;
     }
 

@@ -1,8 +1,11 @@
 /// @file `type21 compare RUN NAMET01` and `type21 compare RUN FILE.csv`.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "verification/results/t01/t01_file.h"
+#include "verification/results/tables/csv_table.h"
 #include "verification/tests/cli/program.h"
 #include "verification/tests/results/t01/t01_writer.h"
 
@@ -125,6 +128,56 @@ TEST(CompareCsv, AnInterfaceThatCannotBeToldIsAWrongCommand) {
     std::filesystem::rename(folder / "x.csv", folder / "interface_2.csv");
     EXPECT_EQ(test::type21("compare " + in_quotes(folder / "run") + " " + in_quotes(folder / "interface_2.csv")).code,
               0);
+}
+
+/// The interface of the run as another program might hand it over.
+std::string as_written(const std::string& header, const std::string& separator, double time_factor, double factor) {
+    const CsvTable ours = read_csv(test::cases() / "flat_press/interface_1.csv");
+    std::string text = header + "\n";
+    for (size_t row = 0; row < ours.rows(); ++row)
+        text += fmt::format("{}{}{}\n", ours.time[row] * time_factor, separator,
+                            ours.values[*ours.column("FNZ")][row] * factor);
+    return text;
+}
+
+TEST(CompareCsv, TheFormsOfOtherProgramsAreRead) {
+    TempFolder folder;
+    for (const char* header : {"\"time\",\"FNZ\"", "Time,FNZ", "\xEF\xBB\xBFtime [s],FNZ [N s]",
+                               "# a solver\ntime (s),fnz", "\"time\",\"INTER 1 contact FNZ\""}) {
+        const Outcome outcome = compare(folder.write("x.csv", as_written(header, ",", 1, 1)));
+        EXPECT_EQ(outcome.code, 0) << header << outcome.out << outcome.err;
+    }
+    std::string semicolons = as_written("time [ms];FNZ [kN s]", ";", 1e3, 1e-3);
+    std::replace(semicolons.begin(), semicolons.end(), '.', ',');
+    const Outcome outcome = compare(folder.write("x.txt", semicolons), "--tolerance 1e-12");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find("FNZ: the reference is in kN s, ours in N s: multiplied by 1000"), std::string::npos);
+}
+
+TEST(CompareCsv, OptionsAndTheirMistakes) {
+    TempFolder folder;
+    const std::string file = folder.write("x.csv", as_written("Zeit,Kraft Z", ",", 1e3, -1e-3));
+    const std::string map = "--map time=Zeit --map FNZ='Kraft Z' ";
+    const Outcome wrong = compare(file, map + "--time-scale 0.001");
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_NE(wrong.out.find("--scale COLUMN=-1000"), std::string::npos) << wrong.out;
+    const Outcome right = compare(
+        file, map + "--time-scale 0.001 --scale FNZ=-1000 --tolerance 1e-12 --junit " + in_quotes(folder / "j.xml"));
+    EXPECT_EQ(right.code, 0) << right.out << right.err;
+    EXPECT_NE(test::read_text(folder / "j.xml").find("tests=\"1\" failures=\"0\""), std::string::npos);
+    for (const auto& [options, part] : std::vector<std::pair<std::string, std::string>>{
+             {"--map time=Zeit --map FNZ=Kraft", "the reference has no column 'Kraft'; it has Kraft Z"},
+             {"--map time=Zeit --map FZZ='Kraft Z'", "has no column 'FZZ'; it has FNX, FNY, FNZ"},
+             {"--map FNZ", "write OURS=THEIRS"},
+             {map + "--scale FNX=10", "there is no column 'FNX'; there are FNZ, Kraft Z"},
+             {map + "--scale FNZ=much", "'much' is not a finite number other than 0"},
+             {map + "--scale FNZ=0", "other than 0"},
+             {map + "--time-scale -1", "larger than 0"},
+             {map + "--columns FNX", "the reference has no column 'FNX'; it has FNZ"}}) {
+        const Outcome outcome = compare(file, options);
+        EXPECT_EQ(outcome.code, 1) << options << outcome.out;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << options << ": " << outcome.err;
+    }
 }
 
 }  // namespace

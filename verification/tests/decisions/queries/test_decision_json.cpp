@@ -79,7 +79,46 @@ TEST(DecisionJson, names_what_is_missing_or_wrong) {
     EXPECT_NE(complaint("/blocks/0/queries/0/gap", -1).find("is negative"), std::string::npos);
     EXPECT_NE(complaint("/blocks/0/queries/0", Json::object()).find("'p' is missing"), std::string::npos);
     EXPECT_NE(complaint("/blocks/0/answers", Json::array()).find("0 answers for 1 queries"), std::string::npos);
-    EXPECT_NE(complaint("/blocks", 1).find("'blocks' is missing"), std::string::npos);
+    EXPECT_NE(complaint("/blocks", 1).find("/blocks: 1 stands where a list is wanted"), std::string::npos);
+}
+
+TEST(DecisionJson, another_key_is_a_mistake_and_the_nearest_is_named) {
+    const auto complaint = [](const char* pointer, const char* key) {
+        Json json = good();
+        json[Json::json_pointer(pointer)][key] = 1;
+        const auto problems = problems_of(json);
+        EXPECT_EQ(problems.size(), 1U) << key;
+        return problems.at(0);
+    };
+    EXPECT_NE(complaint("/blocks/0/queries/0", "Depth")
+                  .find("/blocks/0/queries/0/Depth: there is no such key, did you "
+                        "mean 'depth'?; the keys are p, gap, depth, reach"),
+              std::string::npos);
+    EXPECT_NE(complaint("/blocks/0", "node").find("did you mean 'nodes'?"), std::string::npos);
+    EXPECT_NE(complaint("", "units").find("f: /units: there is no such key; the keys are family, blocks"),
+              std::string::npos);
+}
+
+TEST(DecisionJson, answers_are_within_the_tool) {
+    const auto complaint = [](const char* answer) {
+        Json json = good();
+        json["blocks"][0]["answers"] = Json::array({Json::parse(answer)});
+        const auto problems = problems_of(json);
+        return problems.empty() ? std::string() : problems[0];
+    };
+    EXPECT_EQ(complaint(R"({"segment": 0, "triangle": 1, "side": -1, "kind": "contact"})"), "");
+    EXPECT_EQ(complaint(R"({"segment": -1, "kind": "none"})"), "");
+    EXPECT_NE(
+        complaint(R"({"segment": 1, "triangle": 1, "side": 1, "kind": "contact"})").find("/answers/0/segment: 1 is"),
+        std::string::npos);
+    EXPECT_NE(complaint(R"({"segment": 0, "triangle": 5, "side": 1, "kind": "contact"})").find("/answers/0/triangle"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"segment": 0, "triangle": "1", "side": 1, "kind": "contact"})").find("\"1\" is not"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"segment": 0, "triangle": 1, "side": 1, "kind": "kontakt"})").find("'kontakt'"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"segment": 99999999999999999999, "kind": "contact"})").find("/answers/0/segment"),
+              std::string::npos);
 }
 
 }  // namespace

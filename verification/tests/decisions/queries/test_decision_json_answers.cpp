@@ -56,7 +56,8 @@ TEST(DecisionJson, EveryProblemIsNamedWithItsPlace) {
     EXPECT_NE(problems_of(with("\"gap\": 0.5, ", "")).at(0).find("'gap' is missing"), std::string::npos);
     EXPECT_NE(problems_of(with(",[0,0,1]]", "]")).at(0).find("2 normals for 3 nodes"), std::string::npos);
     EXPECT_EQ(problems_of("[]").size(), 1u);
-    EXPECT_EQ(problems_of("{\"blocks\": [1]}").size(), 4u) << "the four lists that a block needs";
+    EXPECT_EQ(problems_of("{\"blocks\": [1]}").size(), 1u);
+    EXPECT_EQ(problems_of("{\"blocks\": [{}]}").size(), 4u) << "the four lists that a block needs";
 }
 
 TEST(DecisionJson, WhatIsWrittenReadsBackTheSame) {

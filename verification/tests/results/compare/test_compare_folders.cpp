@@ -74,7 +74,7 @@ TEST(CompareFolders, ColumnsAreTakenFromWhicheverFileHasThem) {
     EXPECT_FALSE(folders.compare().ok());
     EXPECT_TRUE(folders.compare({{}, {"FNZ", "VRX"}, {}}).ok());
     EXPECT_EQ(folders.compare({{}, {"FNZ", "VRX"}, {}}).files.size(), 2U);
-    EXPECT_FALSE(folders.compare({{}, {"FNZ", "NOPE"}, {}}).ok());
+    EXPECT_THROW(folders.compare({{}, {"FNZ", "NOPE"}, {}}), WrongOption);
 }
 
 TEST(CompareFolders, RulesOfTheCaseAreUsedAndAToleranceOverridesThem) {

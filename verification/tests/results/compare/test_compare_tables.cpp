@@ -13,7 +13,7 @@ using test::node_history;
 
 TEST(CompareTables, FindsTheLargestDifferenceAndWhere) {
     const CsvTable reference = history({0, 1, 2}, {{"FNX", {0, 4, 8}}, {"FNY", {0, 0, 0}}});
-    const CsvTable ours = history({0, 1, 2}, {{"FNX", {0, 4.5, 8.25}}, {"FNY", {0, 1e-3, 0}}});
+    const CsvTable ours = history({0, 1, 2}, {{"FNX", {0, 4.5, 8.25}}, {"FNY", {0, 0.02, 0}}});
     const TableResult table = compare_tables(ours, reference, {.tolerance = 0.1});
     ASSERT_EQ(table.columns.size(), 2U);
     EXPECT_EQ(table.columns[0].difference, 0.5);
