@@ -17,6 +17,7 @@ constexpr size_t most_curves = 3;
 constexpr double grid = 32;     // cells of the largest value along each axis
 constexpr double above = 1.15;  // of the largest pressure, to which curves are drawn
 constexpr size_t most_raw = 200000;
+constexpr double rounding = 1e-9;  // of forces that are equal
 
 /// One point of each cell of a grid over (x, y), in the order in which they came.
 template <class Point, class X, class Y>
@@ -36,12 +37,29 @@ std::vector<Point> thinned(const std::vector<Point>& points, const X& x, const Y
     return kept;
 }
 
-void add_node(const NodeContact& node, double area, bool rubs, bool limited, InterfaceLaws& laws) {
+/// All nodes count here: the points drawn are too few to say whether the limit acts.
+void add_limited(const NodeContact& node, double area, double pmax, PressureLimit& limit) {
+    const double pressure = node.elastic_force / area;
+    ++limit.node_cycles;
+    limit.largest = std::max(limit.largest, pressure);
+    if (!(node.elastic_force < (1 - rounding) * node.stiffness * node.penetration)) return;
+    ++limit.lowered;
+    if (std::abs(pressure - pmax) > rounding * pmax) return;
+    if (limit.plateau++ == 0) limit.first = limit.last = node.penetration;
+    limit.first = std::min(limit.first, node.penetration);
+    limit.last = std::max(limit.last, node.penetration);
+}
+
+/// `pmax` is 0 without a limit.
+void add_node(const NodeContact& node, double area, bool rubs, double pmax, InterfaceLaws& laws) {
     if (!(area > 0)) return;
     if (node.conductance > 0 && laws.heat.size() < most_raw)
         laws.heat.push_back({node.distance, node.conductance / area});
     if (node.status == Status::open) return;
-    if (limited && laws.normal.size() < most_raw) laws.normal.push_back({node.penetration, node.elastic_force / area});
+    if (pmax > 0) {
+        add_limited(node, area, pmax, laws.limit);
+        if (laws.normal.size() < most_raw) laws.normal.push_back({node.penetration, node.elastic_force / area});
+    }
     if (!rubs || node.status != Status::slip || !(node.normal_force > 0) || laws.friction.size() >= most_raw) return;
     const Vec3& v = node.relative_velocity;
     const double speed = (v - v.dot(node.normal) * node.normal).norm();
@@ -87,16 +105,17 @@ void add_curves(const Model& model, const Interface& card, InterfaceLaws& laws) 
 std::vector<InterfaceLaws> law_points(const HostScene& scene, const MakeContact& make, const MarchOptions& options) {
     const Model& model = *scene.host;
     std::vector<InterfaceLaws> all(model.interfaces.size());
-    std::vector<bool> rubs, limited;
+    std::vector<bool> rubs;
+    std::vector<double> pmax;  // 0: no limit
     for (size_t i = 0; i < all.size(); ++i) {
         rubs.push_back(scene.has(static_cast<int>(i), Effect::friction));
-        limited.push_back(scene.has(static_cast<int>(i), Effect::pmax_limit));
+        pmax.push_back(scene.has(static_cast<int>(i), Effect::pmax_limit) ? double(model.interfaces[i].pmax) : 0.0);
     }
     const auto observe = [&](const CycleRecord& cycle) {
         for (size_t i = 0; i < all.size(); ++i) {
             const std::vector<NodeContact>& nodes = (*cycle.contacts)[i].nodes;
             for (size_t n = 0; n < nodes.size(); ++n)
-                add_node(nodes[n], model.interfaces[i].secondary.area[n], rubs[i], limited[i], all[i]);
+                add_node(nodes[n], model.interfaces[i].secondary.area[n], rubs[i], pmax[i], all[i]);
         }
     };
     try {
@@ -110,8 +129,8 @@ std::vector<InterfaceLaws> law_points(const HostScene& scene, const MakeContact&
         laws.id = card.id;
         laws.title = card.title;
         laws.ifric = card.ifric;
-        laws.pmax = limited[i] ? double(card.pmax) : 0.0;
-        laws.several_mu = scene.has(static_cast<int>(i), Effect::friction_heat_factor) || limited[i] ||
+        laws.pmax = pmax[i];
+        laws.several_mu = scene.has(static_cast<int>(i), Effect::friction_heat_factor) || pmax[i] > 0 ||
                           (card.friction_model >= 0 &&
                            !model.friction_models[static_cast<size_t>(card.friction_model)].pairs.empty());
         laws.friction = thinned(

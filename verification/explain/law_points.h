@@ -21,6 +21,16 @@ struct NormalPoint {
     double pressure = 0;     ///< F / A [pressure]
 };
 
+/// What Pmax did in a run: equation (5) lowers the force of a node where k p is more than F.
+struct PressureLimit {
+    size_t node_cycles = 0;  ///< nodes in contact, summed over the cycles
+    size_t lowered = 0;      ///< of them with F < k p
+    size_t plateau = 0;      ///< of them with F = A Pmax
+    double first = 0;        ///< smallest penetration on the plateau [length]
+    double last = 0;         ///< largest penetration on the plateau [length]
+    double largest = 0;      ///< largest F / A [pressure]
+};
+
 struct HeatPoint {
     double distance = 0;     ///< delta [length]
     double conductance = 0;  ///< of the node's area, per area [power/(area temperature)]
@@ -44,6 +54,7 @@ struct InterfaceLaws {
     std::vector<FrictionCurve> curves;  ///< at up to three of the speeds that came about; none where nothing slips
     std::vector<FrictionPoint> friction;
     std::vector<NormalPoint> normal;  ///< with Pmax only
+    PressureLimit limit;              ///< with Pmax only
     std::vector<HeatPoint> heat;      ///< with Ithe only
 };
 

@@ -14,6 +14,16 @@ std::string range(const std::vector<FrictionPoint>& points, double FrictionPoint
     return fmt::format("{:.4g} to {:.4g}", (*low).*what, (*high).*what);
 }
 
+std::string of_limit(const InterfaceLaws& laws, const UnitSystem& units) {
+    const PressureLimit& limit = laws.limit;
+    std::string text = fmt::format("Pmax {:g} {} lowers the force in {} of {} node-cycles", laws.pmax,
+                                   units.name(dim::pressure), limit.lowered, limit.node_cycles);
+    if (limit.plateau > 0)
+        text += fmt::format(", on the plateau at penetrations {:.4g} to {:.4g} {}", limit.first, limit.last,
+                            units.length_name);
+    return text + fmt::format(", largest F / A {:.4g} {}", limit.largest, units.name(dim::pressure));
+}
+
 }  // namespace
 
 std::string to_text(const std::vector<InterfaceLaws>& all, const UnitSystem& units) {
@@ -30,7 +40,7 @@ std::string to_text(const std::vector<InterfaceLaws>& all, const UnitSystem& uni
                 range(laws.friction, &FrictionPoint::mu), range(laws.friction, &FrictionPoint::pressure),
                 units.name(dim::pressure), range(laws.friction, &FrictionPoint::speed), units.name(dim::velocity),
                 largest_difference(laws));
-        if (laws.pmax > 0) text += fmt::format("; Pmax {:g} {}", laws.pmax, units.name(dim::pressure));
+        if (laws.pmax > 0) text += "; " + of_limit(laws, units);
         if (!laws.heat.empty()) text += "; heat flows";
         text += "\n";
     }
@@ -59,6 +69,13 @@ nlohmann::ordered_json to_json(const std::vector<InterfaceLaws>& all, const Unit
                               {"curves", curves},
                               {"friction", friction},
                               {"normal", normal},
+                              {"limit",
+                               {{"node_cycles", laws.limit.node_cycles},
+                                {"lowered", laws.limit.lowered},
+                                {"plateau", laws.limit.plateau},
+                                {"first", laws.limit.first},
+                                {"last", laws.limit.last},
+                                {"largest", laws.limit.largest}}},
                               {"heat", heat}});
     }
     return {{"units",

@@ -29,7 +29,7 @@ def arguments():
     add("--type21", type=Path, default=ROOT / "build/release/type21", help="the program, which is asked for scenes, departures and decisions; default: build/release/type21")
     add("--out", type=Path, default=ROOT / "build/report/index.html", help="the file to make; default: build/report/index.html")
     add("--jobs", type=int, default=2, help="number of pictures drawn at a time; default: 2")
-    add("--check", action="store_true", help="make nothing; check the report that is there: links, completeness, no nan")
+    add("--check", action="store_true", help="make nothing; check the report that is there: links, completeness, no nan, every number as in the results, every picture of the present files")
     add("--screenshots", type=Path, metavar="DIR", help="make nothing; let Chromium take pictures of the report at widths of 1366 and 390 pixels, and check that it fits")
     add("--pdf", type=Path, metavar="FILE", help="also let Chromium print the report to this PDF")
     return parser.parse_args()
@@ -48,7 +48,7 @@ def make(options):
 def main():
     options = arguments()
     if options.check:
-        return check_report.main(options.out, options.results)
+        return check_report.main(options)
     if options.screenshots:
         return browser.look(options.out, options.screenshots)
     try:

@@ -21,7 +21,8 @@ addEventListener("load", () => {
     if (open) for (const sheet of document.querySelectorAll("details")) sheet.open = true;
     const wide = document.documentElement.scrollWidth;
     const out = [...document.querySelectorAll("main *")].filter(e => !e.closest(".scroll") && e.getBoundingClientRect().right > innerWidth + 1);
-    answer[open ? "open" : "closed"] = {scrollWidth: wide, innerWidth, sticking: out.slice(0, 5).map(e => e.tagName + "." + e.className + " " + e.textContent.slice(0, 40))};
+    const cut = [...document.querySelectorAll(".scroll")].filter(e => e.scrollWidth > e.clientWidth + 1);
+    answer[open ? "open" : "closed"] = {scrollWidth: wide, innerWidth, cut: cut.slice(0, 5).map(e => e.textContent.trim().slice(0, 40)), sticking: out.slice(0, 5).map(e => e.tagName + "." + e.className + " " + e.textContent.slice(0, 40))};
   }
   answer.sections = NAMES.filter(name => document.getElementById(name)?.getBoundingClientRect().height > 20);
   answer.broken = [...document.images].filter(i => i.complete && !i.naturalWidth).map(i => i.alt);
@@ -71,6 +72,8 @@ def judge(name, width, report, folder):
             out.append(f"{name}: shown at {seen['innerWidth']} pixels, not {width}")
         if seen["scrollWidth"] > seen["innerWidth"]:
             out.append(f"{name}, sheets {state}: {seen['scrollWidth']} pixels wide in {seen['innerWidth']}: {'; '.join(seen['sticking'])}")
+        if name == "laptop" and seen["cut"]:  # a phone may scroll sideways, paper and a laptop may not have to
+            out.append(f"{name}, sheets {state}: wider than the page: {'; '.join(seen['cut'])}")
     out += [f"{name}: the section '{section}' is missing or empty" for section in SECTIONS if section not in answer["sections"]]
     out += [f"{name}: the picture '{alt}' is not shown" for alt in answer["broken"]]
     return out

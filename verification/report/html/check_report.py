@@ -1,11 +1,17 @@
-"""Whether a report is complete: links lead somewhere, nothing comes from outside, no number is nan, every case has its sheet."""
+"""Whether a report is complete and says what the results say: links lead somewhere, nothing comes from outside, no number is nan,
+every case has its sheet, every number of a sheet is that of its record, every picture was drawn from the files that are there."""
 
 import json
 import re
 import sys
+from html import unescape
 from html.parser import HTMLParser
 from urllib.parse import unquote
 from xml.etree import ElementTree
+
+import pictures
+import words
+from sources import Sources
 
 SECTIONS = ("verdict", "families", "cases", "hard-cases", "departures", "accuracy", "speed", "lockstep", "traceability", "machine")
 LOADS = {"img": "src", "script": "src", "link": "href", "iframe": "src", "object": "data", "source": "src", "video": "src", "audio": "src", "use": "href"}
@@ -76,11 +82,58 @@ def complaints_of(text, records):
     return out
 
 
-def main(report, results):
+def sheets_of(text):
+    """{case: HTML of its sheet}."""
+    parts = re.split(r'<details class="sheet" id="case-([^"]+)"', text)
+    return {name: re.split(r"</section>", part)[0] for name, part in zip(parts[1::2], parts[2::2])}
+
+
+def cells_of(sheet):
+    """{criterion: its cells as text} of the table of a sheet."""
+    table = sheet.split('<table class="criteria">')[-1].split("</table>")[0]
+    rows = [[unescape(re.sub(r"<[^>]*>", "", cell)).strip() for cell in re.findall(r"<td[^>]*>(.*?)</td>", row, re.S)] for row in re.findall(r"<tr>(.*?)</tr>", table, re.S)]
+    return {row[0]: row[1:] for row in rows if len(row) == 9}
+
+
+def shown_of(record):
+    """What a sheet must show of a record: kind, run, expected, got, unit, difference, tolerance, verdict."""
+    got = words.small if isinstance(record["expected"], str) or record["expected"] == 0 else words.number
+    verdict = {"ok": "holds", "failed": "FAILED"}.get(record["verdict"], record["verdict"])
+    return [record["kind"], record["run"], words.number(record["expected"]), got(record["got"]), record["unit"], words.small(record["difference"]),
+            words.small(record["tolerance"]), verdict]
+
+
+def disagreements(text, records, cases):
+    """Sheets that show other numbers than the records, or pictures of other files than those that are there."""
+    sheets = sheets_of(text)
+    tables = {name: cells_of(sheet) for name, sheet in sheets.items()}
+    out = []
+    for record in records:
+        shown, wanted = tables.get(record["case"], {}).get(record["id"]), shown_of(record)
+        if shown is not None and [" ".join(cell.split()) for cell in shown] != [" ".join(str(cell).split()) for cell in wanted]:
+            out.append(f"the criterion '{record['id']}' of {record['case']} shows {' | '.join(shown)}, and its record says {' | '.join(map(str, wanted))}")
+    for case in cases:
+        sheet = sheets.get(case.name, "")
+        if f'data-of="{pictures.key(case)}"' not in sheet.split(">")[0]:
+            out.append(f"the pictures of {case.name} were drawn from other files than those that are there")
+        # Scene and histories; a deck that must be refused has neither, and its caption says so.
+        if sheet.count("<img") < 2 and "is refused" not in sheet and "writes histories" not in sheet:
+            out.append(f"a picture of {case.name} is missing")
+    failed = sum(record["verdict"] == "failed" for record in records)
+    held = sum(record["verdict"] == "ok" for record in records)
+    headline = f"{words.number(failed)} of {words.plural(len(records), 'criterion', 'criteria')} failed" if failed else f"{words.plural(held + failed, 'criterion', 'criteria')}: all hold"
+    if headline not in text:
+        out.append(f"the headline is not '{headline}'")
+    return out
+
+
+def main(options):
+    report, results = options.out, options.results
     if not report.is_file() or not results.is_file():
         print(f"error: {report if not report.is_file() else results} is missing", file=sys.stderr)
         return 1
-    found = complaints_of(report.read_text(), json.loads(results.read_text()))
+    text, records = report.read_text(), json.loads(results.read_text())
+    found = complaints_of(text, records) + disagreements(text, records, Sources(options).cases)
     for line in found[:40]:
         print(f"error: {report.name}: {line}", file=sys.stderr)
     print(f"report: {report}: {'in order' if not found else f'{len(found)} complaints'}")

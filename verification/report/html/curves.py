@@ -13,7 +13,7 @@ import numpy as np  # noqa: E402
 # Tol's muted colours: apart also for colour-blind readers.
 COLOURS = ("#332288", "#117733", "#cc5566", "#2f93b8", "#997700", "#555555", "#44aa99", "#882255")
 # Inches of a figure: its width, left and right of the axes, above each and below the last.
-WIDE, LEFT, RIGHT, ABOVE, BELOW = 6.6, 0.62, 1.5, 0.36, 0.45
+WIDE, LEFT, RIGHT, ABOVE, BELOW = 6.6, 0.62, 1.75, 0.36, 0.45
 FONT = "system-ui,Helvetica,Arial,sans-serif"
 plt.rcParams.update({
     "svg.fonttype": "none", "font.size": 9, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.titlecolor": "#333333",

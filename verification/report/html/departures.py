@@ -42,7 +42,8 @@ def sizes(case, row_id):
             continue
 
         def taken(table):
-            if table is None or criterion["column"] not in table:
+            # Measured histories are thinned: what lies between their rows was not measured.
+            if table is None or criterion["column"] not in table or not table.has_time(criterion["at"]):
                 return None
             return table.of(criterion.get("node")).value(criterion["column"], criterion["at"])
 
@@ -64,7 +65,7 @@ def misses(case, row_id):
             continue
         histories = Histories(case)
         node = criterion.get("node")
-        ours, seen = (table.of(node).value(criterion["column"], criterion["at"]) if table is not None else None
+        ours, seen = (table.of(node).value(criterion["column"], criterion["at"]) if table is not None and table.has_time(criterion["at"]) else None
                       for table in (histories.run(criterion["run"], criterion.get("file", criterion["differs_from"])), histories.measured(criterion["differs_from"])))
         out.append({"case": case.name, "criterion": record["id"], "what": criterion["column"], "at": criterion["at"], "unit": criterion.get("unit", ""),
                     "off": ours, "on": None, "measured": seen})

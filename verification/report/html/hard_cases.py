@@ -133,6 +133,27 @@ class Frame:
         return np.array([float((x - low) / span) if span else 0.0 for x, low, span in zip(point, self.low, self.spans)])
 
 
+def marks(view, places, answers):
+    """A mark and a number for each node. Nodes within a mark's width of each other stand in a row, so that each shows its own answer."""
+    rows = []
+    apart = 13 if len(places) < 10 else 18  # room for the numbers
+    for number, place in enumerate(places):
+        x, y = view.at(place)
+        row = next((row for row in rows if -9 < x - row[0] < apart * len(row[2]) and abs(row[1] - y) < 9), None)
+        if row is None:
+            rows.append((x, y, [number]))
+        else:
+            row[2].append(number)
+    out = []
+    for x, y, numbers in rows:
+        if len(numbers) > 1:
+            out.append(f'<line class="row" x1="{x:.1f}" y1="{y:.1f}" x2="{x + apart * (len(numbers) - 1):.1f}" y2="{y:.1f}"/>')
+        for k, number in enumerate(numbers):
+            out.append(f'<circle class="{answers[number]["kind"]}" cx="{x + apart * k:.1f}" cy="{y:.1f}" r="3.4"/>'
+                       f'<text x="{x + apart * k + (0 if len(numbers) > 1 else 5):.1f}" y="{y - 5:.1f}"{" text-anchor=" + chr(34) + "middle" + chr(34) if len(numbers) > 1 else ""}>{number + 1}</text>')
+    return out
+
+
 def draw(block, answers):
     """SVG of a small tool with normals, the nodes asked about, their gaps' answers and projections."""
     points = [[exact(x) for x in row] for row in block["nodes"]]
@@ -157,16 +178,9 @@ def draw(block, answers):
     for place, foot in zip(places, feet):
         if foot is not None:
             shapes.append(line(place, frame(foot), "foot"))
-    seen = set()
-    for number, (place, answer) in enumerate(zip(places, answers)):
-        x, y = view.at(place)
-        shapes.append(f'<circle class="{answer["kind"]}" cx="{x:.1f}" cy="{y:.1f}" r="3.4"/>')
-        spot = (round(x / 9), round(y / 9))
-        if spot not in seen:
-            shapes.append(f'<text x="{x + 5:.1f}" y="{y - 4:.1f}">{number + 1}</text>')
-        seen.add(spot)
+    shapes += marks(view, places, answers)
     style = scene.STYLE + (".normal{stroke:#8c7440;stroke-width:.8}.foot{stroke:#222;stroke-width:.9;stroke-dasharray:3 2}"
-                           ".contact{fill:#332288}.proximity{fill:#2f7fa3}.none{fill:#fff;stroke:#555}")
+                           ".row{stroke:#999;stroke-width:.8}.contact{fill:#332288}.proximity{fill:#2f7fa3}.none{fill:#fff;stroke:#555}")
     svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {scene.WIDTH} {view.height:.0f}" width="{scene.WIDTH}" '
            f'height="{view.height:.0f}"><style>{style}</style>{"".join(shapes)}{scene.triad(view)}</svg>')
     return svg, frame.words

@@ -85,6 +85,18 @@ def draw(found, salt):
     return curves.as_svg(figure, f"laws-{salt}")
 
 
+def note_on_limit(limit, pmax, units):
+    """Whether Pmax acts: counted over all nodes and cycles, as the points drawn are only some of them."""
+    if not limit["lowered"]:
+        return f"the force is k p in all {words.number(limit['node_cycles'])} node-cycles, up to {limit['largest']:.3g} {units['pressure']}, so Pmax ({pmax:.4g} {units['pressure']}) does not act"
+    out = f"Pmax ({pmax:.4g} {units['pressure']}) lowers the force in {words.percent(limit['lowered'], limit['node_cycles'])} of the {words.number(limit['node_cycles'])} node-cycles"
+    if limit["plateau"]:
+        out += f"; on the plateau F / A is Pmax, for penetrations from {limit['first']:.3g} to {limit['last']:.3g} {units['length']}"
+    if limit["largest"] > 1.000001 * pmax:
+        out += f"; past the growth of the gap it rises again, to {limit['largest']:.4g} {units['pressure']}"
+    return out
+
+
 def note(found):
     """What the points are, and their result."""
     text = []
@@ -98,9 +110,7 @@ def note(found):
             text.append("parts, temperature or a limit of the friction force move nodes off that line")
     limited = [interface for interface in found["interfaces"] if interface["normal"]]
     for interface in limited:
-        on = [p for p, f in interface["normal"] if abs(f - interface["pmax"]) < 1e-6 * interface["pmax"]]
-        text.append(f"the pressure stays at Pmax for penetrations from {min(on):.3g} to {max(on):.3g} {found['units']['length']}" if len(on) > 1 else
-                    f"the pressure reaches at most {words.percent(max(f for _, f in interface['normal']), interface['pmax'])} of Pmax, so the limit does not act")
+        text.append(note_on_limit(interface["limit"], interface["pmax"], found["units"]))
     warm = [interface for interface in found["interfaces"] if interface["heat"]]
     if warm:
         k = [value for interface in warm for _, value in interface["heat"]]

@@ -2,6 +2,7 @@
 
 import os
 import platform
+import re
 from concurrent.futures import ProcessPoolExecutor
 from datetime import datetime, timezone
 from pathlib import Path
@@ -89,6 +90,16 @@ def grouped(cases):
     return groups, rest
 
 
+def not_there(readme):
+    """The paragraphs of README.md under "What is not there", without the marks of Markdown; empty without them."""
+    text = readme.read_text() if readme.is_file() else ""
+    found = re.search(r"^## What is not there\n(.*?)(?=^## |\Z)", text, re.M | re.S)
+    if not found:
+        return []
+    plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", found[1]).replace("`", "").replace("**", "")
+    return [" ".join(paragraph.split()) for paragraph in plain.split("\n\n") if paragraph.strip()]
+
+
 def machine(sources, runs):
     """The machine of the runs, as their results name it, and that of the report."""
     def values(name, rows):
@@ -120,16 +131,18 @@ def make(sources, store, options):
     environment.filters.update(number=words.number, small=words.small, picture=words.picture, nanoseconds=words.nanoseconds)
     environment.globals.update(percent=words.percent, plural=words.plural, share=tally.share)
     failed = [record for record in sources.records if record["verdict"] == "failed"]
+    rows = departures.table(options.type21, cases)
+    speed = bench.section(sources.beside("bench.json"), store)
     text = environment.get_template("report.html.j2").render(
-        records=sources.records, cases=cases, rest=rest, groups=groups, drawn=drawn, not_run=sources.not_run, failed=failed,
+        records=sources.records, cases=cases, rest=rest, groups=groups, drawn=drawn, keys={case.name: pictures.key(case) for case in cases}, not_run=sources.not_run, failed=failed,
         skipped=sum(record["verdict"] not in ("ok", "failed") for record in sources.records),
-        kinds=tally.by_kind(sources.records), total=tally.over_runs(runs), fast=tally.over_runs(fast_runs) if fast_runs else None,
+        kinds=tally.by_kind(sources.records, {(case.name, name) for case in cases for name, criterion in case.criteria.items() if "balance" in criterion}), total=tally.over_runs(runs), fast=tally.over_runs(fast_runs) if fast_runs else None,
         nearest=tally.nearest(sources.records), mutation=tally.mutation(sources.beside("mutation.json")),
         notes={case.name: note_on_curves(case, drawn[case.name]) for case in cases},
         question_families=hard_cases.question_families(options.type21, options.cases / "decisions", store),
         atlas=hard_cases.atlas(options.type21, options.cases / "atlas", store),
-        departures=departures.table(options.type21, cases), accuracy=accuracy.section(sources.beside("accuracy.json"), store),
-        bench=bench.section(sources.beside("bench.json"), store), lockstep=lockstep.section(sources.beside("lockstep.json"), store),
+        departures=rows, not_reproduced=[row for row in rows if not row["available"]], not_there=not_there(options.cases.parent / "README.md"), accuracy=accuracy.section(sources.beside("accuracy.json"), store),
+        bench=speed, lockstep=lockstep.section(sources.beside("lockstep.json"), store),
         sliding=sliding.figure(sources.beside("stability.json"), store),
         trace=sources.beside("traceability.json"), machine=machine(sources, runs),
         style=Markup((HERE / "templates/style.css").read_text()),

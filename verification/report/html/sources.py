@@ -44,6 +44,10 @@ class Table:
         out.data = self.data if thing is None else self.data[self[self.object_column] == thing]
         return out
 
+    def has_time(self, at):
+        """Whether a row stands at this time; "end", "max" and "min" always have one."""
+        return isinstance(at, str) or bool(np.any(np.abs(self["time"] - at) <= 1e-9 * max(abs(at), 1e-300)))
+
     def value(self, column, at):
         """A column at "end", "max", "min" or a time, linear between rows. None when there is none."""
         values, times = self[column], self["time"]

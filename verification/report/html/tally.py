@@ -11,10 +11,12 @@ def share(record):
     return difference / tolerance
 
 
-def by_kind(records):
+def by_kind(records, balances=frozenset()):
+    """Counts of each kind. `balances` holds the (case, id) of criteria that ask for a balance: those of forces, power, energy and
+    heat are no values that a formula gives, so they have a row of their own."""
     rows = []
-    for kind in KINDS:
-        of_kind = [record for record in records if record["kind"] == kind]
+    for kind in ("ANALYTIC", "balance", *KINDS[1:]):
+        of_kind = [record for record in records if kind == ("balance" if (record["case"], record["id"]) in balances else record["kind"])]
         held, failed = (sum(record["verdict"] == word for record in of_kind) for word in ("ok", "failed"))
         rows.append({"kind": kind, "all": len(of_kind), "held": held, "failed": failed, "skipped": len(of_kind) - held - failed})
     return rows

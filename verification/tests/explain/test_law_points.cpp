@@ -60,8 +60,38 @@ TEST(LawPoints, ShowThePlateauOfPmax) {
     }
     EXPECT_GT(on_plateau, 8);
     EXPECT_GT(largest, 50);
+    const PressureLimit& limit = all[0].limit;
+    EXPECT_GT(limit.lowered, 1000U);
+    EXPECT_LT(limit.lowered, limit.node_cycles);
+    EXPECT_GT(limit.plateau, 100U);
+    // Pmax/k = 0.01 mm, and the gap grows by 0.05 mm.
+    EXPECT_NEAR(limit.first, 0.01, 0.001);
+    EXPECT_NEAR(limit.last, 0.05, 1e-9);
+    EXPECT_GT(limit.largest, 50);
     EXPECT_TRUE(all[0].friction.empty());
     EXPECT_TRUE(all[0].heat.empty());
+}
+
+TEST(LawPoints, CountForceThatPmaxLowersAlsoWhereFewPointsAreDrawn) {
+    // 9200 MPa at most: hardly a point of the plateau at 600 MPa is drawn.
+    const std::vector<InterfaceLaws> all = laws_of("igap2_pmax_itlim0", "thickness_quad.csv");
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_GT(all[0].limit.lowered, all[0].limit.node_cycles / 2);
+    EXPECT_GT(all[0].limit.plateau, 100U);
+    // The sheet thins first: the force is lowered, and never on the plateau.
+    const std::vector<InterfaceLaws> thin = laws_of("igap2_pmax_thin_thick", "thickness_quad.csv");
+    ASSERT_EQ(thin.size(), 1U);
+    EXPECT_GT(thin[0].limit.lowered, 0U);
+    EXPECT_EQ(thin[0].limit.plateau, 0U);
+    EXPECT_LT(thin[0].limit.lowered, thin[0].limit.node_cycles);
+}
+
+TEST(LawPoints, SayThatPmaxDoesNotActWhileTheGapDoesNotGrow) {
+    const std::vector<InterfaceLaws> all = laws_of("pmax_plateau");
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_GT(all[0].limit.node_cycles, 0U);
+    EXPECT_EQ(all[0].limit.lowered, 0U);
+    EXPECT_EQ(all[0].limit.plateau, 0U);
 }
 
 TEST(LawPoints, ShowTheHeatThatFlows) {

@@ -4,16 +4,18 @@
 usage: test_report.py content|looks TYPE21 FOLDER"""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
 import unittest
 from pathlib import Path
+from urllib.parse import unquote
 
 ROOT = Path(__file__).resolve().parents[3]
 SKIPPED = 77
-# A patch, a law with nodal values, the plateau, a deck that is refused, a departure with both numbers, heat.
-CASES = ("flat_press", "friction_laws_pv", "pmax_plateau", "filter2_range", "stmin", "cooling_node")
+# A patch, a law with nodal values, two plateaus, a deck that is refused, departures with both numbers, heat, a convex tool.
+CASES = ("flat_press", "friction_laws_pv", "pmax_plateau", "igap2_pmax_thin_thick", "filter2_range", "stmin", "sens_time", "cooling_node", "edge_convex")
 TYPE21 = FOLDER = None
 
 
@@ -101,10 +103,63 @@ class Content(unittest.TestCase):
             ('<section id="accuracy">', "<section>", "the section 'accuracy' is missing"),
             ("</table>", "</tabel>", "closes nothing"),
             ("%23", "<%23", "is no SVG"),
+            ('data-of="', 'data-of="0', "were drawn from other files"),
+            ("criteria: all hold", "criteria hold", "the headline is not"),
         ):
             with self.subTest(complaint):
                 self.assert_has(self.text, old)
                 self.assertIn(complaint, self.check(self.text.replace(old, new, 1)))
+
+    def test_a_number_that_its_record_does_not_say_is_found(self):
+        records = json.loads((FOLDER / "results.json").read_text())
+        record = next(r for r in records if r["case"] == "cooling_node" and isinstance(r["got"], float) and r["got"] > 100 and r["got"] % 1 > 0.01)
+        number = f"{record['got']:.10g}"
+        self.assert_has(self.text, f'<td class="n">{number}</td>')
+        sheet = self.text.index('id="case-cooling_node"')
+        spoilt = self.text[:sheet] + self.text[sheet:].replace(f'<td class="n">{number}</td>', f'<td class="n">{number[:-1]}{(int(number[-1]) + 1) % 10}</td>', 1)
+        self.assertIn(f"the criterion '{record['id']}' of cooling_node shows", self.check(spoilt))
+
+    def test_pmax_acts_where_it_lowers_a_force(self):
+        for case, words in (("pmax_plateau", "on the plateau F / A is Pmax"), ("igap2_pmax_thin_thick", "lowers the force in")):
+            sheet = self.text.split(f'id="case-{case}"')[1].split("</details>")[0]
+            self.assert_has(sheet, words)
+            self.assertFalse("does not act" in sheet, case)
+        self.assertFalse("on the plateau" in self.text.split('id="case-igap2_pmax_thin_thick"')[1].split("</details>")[0])
+
+    def test_what_was_not_measured_is_not_shown_as_measured(self):
+        # The measured history of sens_time has every fourth cycle; 0.000179 s is between two.
+        row = self.text.split('<section id="departures">')[1].split("sens_time</a>")[1].split("</tr>")[0]
+        self.assert_has(row, "at 0.000179")
+        self.assertEqual(row.split("<td")[-1].split(">")[1].split("<")[0], "–")
+
+    def test_balances_are_no_values_of_formulas(self):
+        records = json.loads((FOLDER / "results.json").read_text())
+        balances = sum("balance" in r["id"] for r in records)
+        self.assertGreater(balances, 10)
+        row = self.text.split('<td class="kind">balance</td>')[1].split("</tr>")[0]
+        self.assert_has(row, f'<td class="n">{balances}</td>')
+        analytic = sum(r["kind"] == "ANALYTIC" for r in records) - balances
+        self.assert_has(self.text.split('<td class="kind">ANALYTIC</td>')[1].split("</tr>")[0], f'<td class="n">{analytic}</td>')
+
+    def test_a_convex_tool_is_seen_from_its_contact_side(self):
+        self.assert_has(self.text.split('id="case-edge_convex"')[1], "seen from below with z downward")
+        self.assertFalse("seen from below" in self.text.split('id="case-flat_press"')[1].split("</details>")[0])
+
+    def test_each_node_of_a_drawing_has_a_mark_of_its_answer(self):
+        truth = json.loads((ROOT / "cases/atlas/distance_met.json").read_text())
+        picture = unquote(self.text.split('id="atlas-distance_met"')[1].split('src="data:image/svg+xml,')[1].split('"')[0])
+        marks = re.findall(r"<circle class='(\w+)' cx='([\d.]+)' cy='([\d.]+)'", picture)
+        kinds = [answer["kind"] for block in truth["blocks"] for answer in block["answers"]]
+        self.assertEqual(sorted(kind for kind, *_ in marks), sorted(kinds))
+        self.assertEqual(len({place[1:] for place in marks}), len(kinds), "two marks on one place hide each other")
+
+    def test_shortfalls_are_on_the_front_page(self):
+        front = self.text.split('<section id="verdict">')[1].split("</section>")[0]
+        for words in ("Shortfalls", "The speed was not measured", "Departures that cannot be switched on", "Not there: "):
+            self.assert_has(front, words)
+        missed = {"target": "time of a step", "scene": "pan", "measured": 90.0, "at_least": 50.0, "aim": 40.0, "unit": "ns", "better": "lower", "reached": "no"}
+        text = self.with_files({"bench.json": {"rows": [{"scene": "pan", "implementation": "optimized", "method": "m", "ns": {"p50": 90.0}}], "targets": [missed]}})
+        self.assert_has(text.split("</section>")[0], "time of a step, pan: 90 ns, where at most 50 is asked")
 
     def with_files(self, files):
         """The text of a report made with these JSON files beside it."""
@@ -192,7 +247,8 @@ class Content(unittest.TestCase):
     def test_a_case_shows_its_laws(self):
         self.assert_has(self.text, "Rings: |Fₜ| / |Fₙ| of nodes that slip, 0.086 to 0.741; lines: the law of the card at their speeds, dotted that of the optimized "
                                    "implementation, equal in every bit")
-        self.assertRegex(self.text, r"Run documented\. The pressure stays at Pmax for penetrations from 0.01\d* to 0.0[45]\d* mm")
+        sheet = self.text.split('id="case-pmax_plateau"')[1].split("</details>")[0]
+        self.assertRegex(sheet, r"Run documented\. Pmax \(10 MPa\) lowers the force in .*; on the plateau F / A is Pmax, for penetrations from 0.01\d* to 0.0[45]\d* mm")
         self.assertRegex(self.text, "[Hh]eat flows with a conductance of")
 
     def test_without_results_it_names_the_script_that_makes_them(self):
