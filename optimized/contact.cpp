@@ -1,3 +1,4 @@
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <tbb/parallel_for.h>
@@ -16,7 +17,32 @@ double damping_of_tool(double share, double inertia, double stiffness) {
 
 }  // namespace
 
+std::vector<V3> Contact::State::in_tool_frame(std::span<const Vec3> position, const ToolMotion& pose) const {
+    std::vector<V3> y(nodes.node.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, y.size(), chunk), [&](const tbb::blocked_range<size_t>& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i)
+            y[i] = in_tool_frame(i, position, pose);
+    });
+    return y;
+}
+
+void Contact::State::keep_lists(const Motion& motion) {
+    const ToolMotion& pose = motion.tools[static_cast<size_t>(laws.card->tool)];
+    std::atomic<bool> left = candidates->sorts() == 0;
+    const auto look = [&](const tbb::blocked_range<size_t>& range) {
+        for (size_t i = range.begin(); i < range.end() && !left.load(std::memory_order_relaxed); ++i)
+            if (!candidates->covers(i, in_tool_frame(i, motion.position, pose)))
+                left.store(true, std::memory_order_relaxed);
+    };
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, nodes.node.size(), chunk), look);
+    ++cycles;
+    if (!left) return;
+    candidates->sort(in_tool_frame(motion.position, pose));
+    ++sorts;
+}
+
 void Contact::State::run(const Motion& motion, const Output& out) {
+    if (candidates) keep_lists(motion);
     const Cycle cycle(laws, motion, inacti);
     const int count = static_cast<int>(nodes.node.size());
     const bool lanes = in_lanes(laws.effects()) && !cycle.time_zero && laws.proximity == 0;
@@ -31,6 +57,7 @@ void Contact::State::run(const Motion& motion, const Output& out) {
         [&](const tbb::blocked_range<int>& range) {
             Workspace& w = work.local();
             w.batch->exclusive_regions = exclusive_region_policy.pays();
+            w.batch->lists = candidates ? candidates->all() : nullptr;
             for (int c = range.begin(); c < range.end(); ++c) {
                 const int first = c * chunk, last = std::min(first + chunk, count);
                 ChunkLists& own = lists[static_cast<size_t>(c)];
@@ -106,7 +133,8 @@ bool Contact::State::active(double time) const {
     return !(time < card.tstart) && !(time > card.tstop);
 }
 
-Contact::Contact(const Scene& scene, int interface) : state_(std::make_unique<State>(scene, interface)) {}
+Contact::Contact(const Scene& scene, int interface, const ContactOptions& options)
+    : state_(std::make_unique<State>(scene, interface, options)) {}
 
 Contact::~Contact() = default;
 
@@ -172,10 +200,11 @@ DecisionStageCounts Contact::decision_stage_counts() const {
 
 std::vector<EffectMemory> Contact::memory_by_effect() const {
     const State& s = *state_;
-    // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node and the memory of the
-    // search.
-    std::vector<EffectMemory> memory{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + sizeof(Memory)}};
     const size_t n = std::max<size_t>(s.nodes.node.size(), 1);
+    // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node, and the memory or the list
+    // of the search.
+    const size_t of_search = s.candidates ? s.candidates->bytes() / n : sizeof(Memory);
+    std::vector<EffectMemory> memory{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + of_search}};
     if (s.laws.growth) memory.push_back({Effect::gap_growth, sizeof(double) + s.laws.growth->bytes() / n});
     if (s.laws.has(effect::friction))
         memory.push_back({Effect::friction, sizeof(V3) + s.laws.friction_table.bytes_per_node()});
@@ -190,6 +219,20 @@ PathCounts Contact::paths() const {
     return state_->counts;
 }
 
+std::optional<SortedSearchCounts> Contact::sorted_search() const {
+    const State& s = *state_;
+    if (!s.candidates) return std::nullopt;
+    SortedSearchCounts counts;
+    counts.margin = s.candidates->margin();
+    counts.cycles = s.cycles;
+    counts.sorts = s.sorts;
+    counts.searches = s.counts.searched;
+    counts.candidates = s.counts.candidates;
+    counts.near = s.counts.near;
+    counts.bytes = s.candidates->bytes();
+    return counts;
+}
+
 size_t Contact::tool_bytes() const {
     return state_->laws.tool.bytes() + state_->laws.search->bytes();
 }
@@ -202,12 +245,16 @@ size_t Contact::bytes_per_node() const {
 }
 
 std::unique_ptr<ContactMethod> make_contact(const Scene& scene, int interface) {
+    return make_contact(scene, interface, {});
+}
+
+std::unique_ptr<ContactMethod> make_contact(const Scene& scene, int interface, const ContactOptions& options) {
     const size_t count = scene.model->interfaces.size();
     if (interface < 0 || static_cast<size_t>(interface) >= count) {
         throw std::out_of_range("there is no interface " + std::to_string(interface) + ": the model has " +
                                 std::to_string(count) + ", counted from 0");
     }
-    return std::make_unique<Contact>(scene, interface);
+    return std::make_unique<Contact>(scene, interface, options);
 }
 
 }  // namespace type21::optimized

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "optimized/search/path_tally.h"
+#include "optimized/search/search_kind.h"
 #include "reference/contract/contact_method.h"
 
 namespace type21::optimized {
@@ -22,10 +24,32 @@ struct PathCounts : PathTally {
     long nodes = 0;  ///< of all cycles
 };
 
+/// What there is to choose beside the scene. No choice changes a decision or a force.
+struct ContactOptions {
+    SearchKind search = SearchKind::tree;
+};
+
+/// What the sorted search did since the start.
+struct SortedSearchCounts {
+    double margin = 0;    ///< how far a node may move before all are sorted again [length]
+    long cycles = 0;      ///< in which nodes were searched for
+    long sorts = 0;       ///< in how many of these cycles all nodes were sorted
+    long searches = 0;    ///< nodes that were searched for, over all cycles
+    long candidates = 0;  ///< segments in their lists
+    long near = 0;        ///< of these, segments whose boxes held the node: they were projected on
+    size_t bytes = 0;     ///< of the lists of the last sort [byte]
+
+    double candidates_per_node() const { return share(candidates, searches); }
+    double near_per_node() const { return share(near, searches); }
+
+  private:
+    static double share(long part, long of) { return of > 0 ? static_cast<double>(part) / static_cast<double>(of) : 0; }
+};
+
 /// Threads: as many as the TBB arena that calls step has; the result is the same bits for any number.
 class Contact final : public ContactMethod {
   public:
-    Contact(const Scene& scene, int interface);
+    Contact(const Scene& scene, int interface, const ContactOptions& options = {});
     ~Contact() override;
 
     ContactStep step(const Motion& motion) override;
@@ -40,6 +64,8 @@ class Contact final : public ContactMethod {
     DecisionStageCounts decision_stage_counts() const override;
 
     PathCounts paths() const;
+    /// Empty with the tree.
+    std::optional<SortedSearchCounts> sorted_search() const;
     /// Bytes that the tool and its search hold, and those per secondary node.
     size_t tool_bytes() const;
     size_t bytes_per_node() const;
@@ -48,5 +74,8 @@ class Contact final : public ContactMethod {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// As make_contact of the contract (make_contact.h), with a choice.
+std::unique_ptr<ContactMethod> make_contact(const Scene& scene, int interface, const ContactOptions& options);
 
 }  // namespace type21::optimized

@@ -5,6 +5,7 @@
 
 #include "optimized/contact_state.h"
 #include "optimized/kernel/normal_law.h"
+#include "optimized/search/sorted/sort_margin.h"
 
 namespace type21::optimized {
 
@@ -22,8 +23,13 @@ double stiffness_of(const Interface& card, double s, const AsBuilt& as_built) {
 }  // namespace
 
 /// @manual departure D04
-Contact::State::State(const Scene& scene_, int interface_)
-    : scene(scene_), interface(interface_), laws(scene_, interface_), largest_reach(0), inacti(laws.card->inacti) {
+Contact::State::State(const Scene& scene_, int interface_, const ContactOptions& options_)
+    : scene(scene_),
+      interface(interface_),
+      options(options_),
+      laws(scene_, interface_),
+      largest_reach(0),
+      inacti(laws.card->inacti) {
     const Interface& card = *laws.card;
     const SecondarySide& side = card.secondary;
     const size_t n = side.node.size();
@@ -40,7 +46,7 @@ Contact::State::State(const Scene& scene_, int interface_)
     }
     nodes.offset.assign(n, 0.0);
     nodes.cycles.assign(n, 0);
-    nodes.memory.resize(n);
+    if (options.search == SearchKind::tree) nodes.memory.resize(n);
     if (laws.has(effect::friction)) nodes.friction.resize(n);
     if (laws.skid) nodes.skid.assign(n, 0.0);
     if (laws.release) nodes.released.assign(n, 0);
@@ -71,7 +77,10 @@ void Contact::State::new_search() {
     limits.inward = card.depth;
     limits.margin = as_built.has(Departure::D31) ? 0.05 : 0.01;
     limits.lift_leaning = as_built.has(Departure::D35);
-    laws.search = std::make_unique<Search>(laws.tool, limits, boxes);
+    laws.search = std::make_unique<Search>(laws.tool, limits, boxes, options.search);
+    if (options.search == SearchKind::sorted)
+        candidates =
+            std::make_unique<CandidateLists>(laws.search->boxes(), sort_margin(*laws.model, card, laws.proximity));
     // What nodes remember holds for the old limits only.
     for (Memory& memory : nodes.memory)
         memory.forget();
@@ -100,21 +109,25 @@ void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
     new_search();
 }
 
-Contact::State::StartImpact Contact::State::impact_at_start(size_t i, const Vec3& position,
-                                                            const ToolMotion& pose) const {
+Contact::State::StartImpact Contact::State::impact_at_start(size_t i, std::span<const Vec3> positions,
+                                                            const ToolMotion& pose, const CandidateLists* start) const {
     const Interface& card = *laws.card;
-    const Vec3 at = pose.rotation.transpose() * (position - pose.position);
-    const V3 y = from(at);
+    const Vec3& position = positions[static_cast<size_t>(nodes.node[i])];
+    const V3 y = in_tool_frame(i, positions, pose);
+    const auto impact = [&](const ContactReach& reach, const ProjectionLimits& rules, bool reach_boxes) {
+        if (start != nullptr) return laws.search->search(start->of(i), y, reach, rules, reach_boxes);
+        return laws.search->search(y, reach, rules, reach_boxes);
+    };
     StartImpact first;
     if (laws.as_built(Departure::D31)) {
         ProjectionLimits rules = laws.rules;
         rules.low = -0.05;
         rules.high = 1.05;
-        first.retained = laws.search->search(y, {nodes.gap[i], card.depth, 0.0}, rules, false);
+        first.retained = impact({nodes.gap[i], card.depth, 0.0}, rules, false);
         if (!first.retained.exists()) return first;
         first.point = contact_point_at_start(laws.tool, first.retained, y);
     } else {
-        first.retained = laws.search->search(y, {nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules);
+        first.retained = impact({nodes.deciding_gap(i), card.depth, laws.proximity}, laws.rules, true);
         if (!first.retained.exists()) return first;
         first.point = laws.d12 ? contact_point_as_built(laws.tool, first.retained, y, position, pose)
                                : contact_point(laws.tool, first.retained, pose);
@@ -123,14 +136,27 @@ Contact::State::StartImpact Contact::State::impact_at_start(size_t i, const Vec3
     return first;
 }
 
+std::vector<Contact::State::StartImpact> Contact::State::impacts_at_start(std::span<const Vec3> position,
+                                                                          const ToolMotion& pose) const {
+    // Nothing moves here, so the lists need no margin.
+    std::optional<CandidateLists> start;
+    if (options.search == SearchKind::sorted)
+        start.emplace(laws.search->boxes(), 0.0).sort(in_tool_frame(position, pose));
+    std::vector<StartImpact> impacts(nodes.node.size());
+    for (size_t i = 0; i < impacts.size(); ++i)
+        impacts[i] = impact_at_start(i, position, pose, start ? &*start : nullptr);
+    return impacts;
+}
+
 /// @manual field Inacti; comment 9; departure D26
 void Contact::State::start(const Motion& motion) {
     started = true;
     if (motion.time > 0 || (inacti != 1 && inacti != 5 && inacti != 6)) return;
     const ToolMotion& pose = motion.tools[static_cast<size_t>(laws.card->tool)];
     bool any = false;
-    for (size_t i = 0; i < nodes.node.size(); ++i) {
-        const double p = impact_at_start(i, motion.position[static_cast<size_t>(nodes.node[i])], pose).penetration;
+    const std::vector<StartImpact> impacts = impacts_at_start(motion.position, pose);
+    for (size_t i = 0; i < impacts.size(); ++i) {
+        const double p = impacts[i].penetration;
         if (p <= 0) continue;
         any = true;
         nodes.offset[i] = offset_at_start(inacti, p, nodes.gap[i], laws.card->depth);
@@ -145,12 +171,12 @@ std::vector<InitialPenetration> Contact::initial_penetrations(const std::vector<
     ToolMotion pose;
     pose.position = state.laws.model->rigid_bodies[static_cast<size_t>(state.laws.card->tool)].center;
     std::vector<InitialPenetration> found;
-    for (size_t i = 0; i < state.nodes.node.size(); ++i) {
-        const int node = state.nodes.node[i];
-        const State::StartImpact first = state.impact_at_start(i, positions[static_cast<size_t>(node)], pose);
+    const std::vector<State::StartImpact> impacts = state.impacts_at_start(positions, pose);
+    for (size_t i = 0; i < impacts.size(); ++i) {
+        const State::StartImpact& first = impacts[i];
         if (first.penetration <= 0) continue;
-        found.push_back(
-            {node, first.retained.id.segment(), first.penetration, first.point.distance, to_vec3(first.point.normal)});
+        found.push_back({state.nodes.node[i], first.retained.id.segment(), first.penetration, first.point.distance,
+                         to_vec3(first.point.normal)});
     }
     return found;
 }

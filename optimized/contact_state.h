@@ -8,13 +8,14 @@
 #include "optimized/kernel/adaptive_law.h"
 #include "optimized/kernel/contact_point.h"
 #include "optimized/kernel/node_data.h"
+#include "optimized/search/sorted/candidate_lists.h"
 
 namespace type21::optimized {
 
 inline constexpr int chunk = Search::Batch::capacity;  ///< nodes that one thread takes at a time
 
 struct Contact::State {
-    State(const Scene& scene, int interface);
+    State(const Scene& scene, int interface, const ContactOptions& options);
 
     /// Inacti 1, 5, 6: the histories of time 0.
     void start(const Motion& motion);
@@ -27,7 +28,19 @@ struct Contact::State {
         Retained retained;
         ContactPoint point;
     };
-    StartImpact impact_at_start(size_t i, const Vec3& position, const ToolMotion& pose) const;
+    /// Of all secondary nodes. @param position  of each node of the model
+    std::vector<StartImpact> impacts_at_start(std::span<const Vec3> position, const ToolMotion& pose) const;
+    /// @param start  the lists of these positions, with the sorted search
+    StartImpact impact_at_start(size_t i, std::span<const Vec3> position, const ToolMotion& pose,
+                                const CandidateLists* start) const;
+    /// Of all secondary nodes, in the tool frame.
+    std::vector<V3> in_tool_frame(std::span<const Vec3> position, const ToolMotion& pose) const;
+    V3 in_tool_frame(size_t i, std::span<const Vec3> position, const ToolMotion& pose) const {
+        // The operations of the kernels: their rounding is part of the position that decisions are exact for.
+        return from(pose.rotation.transpose() * (position[static_cast<size_t>(nodes.node[i])] - pose.position));
+    }
+    /// The sorted search: new lists where a node has left what its list covers.
+    void keep_lists(const Motion& motion);
     /// Runs the kernel over all nodes.
     void run(const Motion& motion, const Output& out);
     ContactSums sums() const;
@@ -37,6 +50,7 @@ struct Contact::State {
 
     Scene scene;
     int interface;
+    ContactOptions options;
     Laws laws;
     NodeData nodes;
     double largest_reach;  ///< CaptureLimits::outward of the search [length]
@@ -47,7 +61,9 @@ struct Contact::State {
     std::optional<AdaptiveLaw> adaptive;
 
     tbb::enumerable_thread_specific<Workspace> work;
-    std::vector<ChunkLists> lists;  ///< one a chunk
+    std::unique_ptr<CandidateLists> candidates;  ///< of the sorted search, else none
+    long sorts = 0, cycles = 0;                  ///< of the sorted search
+    std::vector<ChunkLists> lists;               ///< one a chunk
     StepSums total;
     PathCounts counts;
     ExclusiveRegionPolicy exclusive_region_policy;

@@ -9,18 +9,6 @@
 
 namespace type21::optimized {
 
-inline Decision decision_of(const Retained& r) {
-    Decision d;
-    d.kind = r.projection.kind;
-    d.segment = r.id.segment();
-    d.triangle = r.id.triangle();
-    d.side = r.projection.side;
-    d.b = r.projection.b;
-    d.c = r.projection.c;
-    d.stage = stage_of(r.settled);
-    return d;
-}
-
 /// In global axes.
 struct ContactPoint {
     V3 point;             ///< X [length]

@@ -16,7 +16,7 @@ void locate(const Laws& laws, const Cycle& cycle, const ForceCycle& c, NodeData&
             Search::Batch& batch) {
     batch.first = first;
     into_rows(cycle.motion.position, nodes.node.data() + first, batch.count, batch.y);
-    batch.memory = nodes.memory.data() + first;
+    batch.memory = nodes.memory_from(first);
     // A node without stiffness has no contact.
     for (int j = 0; j < batch.count; ++j)
         batch.active[j] = nodes.stiffness[static_cast<size_t>(first + j)] != 0;

@@ -35,11 +35,12 @@ struct NodeData {
 
     std::vector<double> offset;  ///< P0 [length]
     std::vector<int> cycles;     ///< consecutive cycles retained in contact with p_g > 0
-    std::vector<Memory> memory;  ///< of the search
+    std::vector<Memory> memory;  ///< of the search; the sorted search has none
     std::vector<V3> friction;    ///< F_t of the last cycle, global axes [force]
     std::vector<double> skid;    ///< largest ratio since the start [-]
     std::vector<char> released;  ///< IBC
 
+    Memory* memory_from(int first) { return memory.empty() ? nullptr : memory.data() + first; }
     double deciding_gap(size_t i) const { return search_gap.empty() ? gap[i] : search_gap[i]; }
     double increment_stiffness(size_t i) const {
         return friction_stiffness.empty() || stiffness[i] == 0 ? stiffness[i] : friction_stiffness[i];

@@ -233,7 +233,8 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
         // 5). The transform is written as in the formulation, since its rounding is part of the position that decisions
         // are exact for.
         batch.count = std::min(Search::Batch::capacity, last - start);
-        batch.memory = nodes.memory.data() + start;
+        batch.memory = nodes.memory_from(start);
+        batch.first = start;
         Activity activity[Search::Batch::capacity];
         for (int j = 0; j < batch.count; ++j) {
             const auto i = static_cast<size_t>(start + j);

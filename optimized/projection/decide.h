@@ -34,6 +34,18 @@ struct Retained {
     bool exists() const { return id.exists(); }
 };
 
+inline Decision decision_of(const Retained& r) {
+    Decision d;
+    d.kind = r.projection.kind;
+    d.segment = r.id.segment();
+    d.triangle = r.id.triangle();
+    d.side = r.projection.side;
+    d.b = r.projection.b;
+    d.c = r.projection.c;
+    d.stage = stage_of(r.settled);
+    return d;
+}
+
 /// Collects the sub-triangles that may take one node, in any order, and names the retained one. A contender that is
 /// proven to lose is dropped at once. At the end the retained one is left, with those that the filter cannot tell from
 /// it.

@@ -18,9 +18,9 @@ void require(bool holds, const char* of, size_t number, const char* what) {
 
 }  // namespace
 
-Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& normals,
-                      const std::vector<std::array<int, 4>>& segments, const Vec3& p, double gap, double depth,
-                      double reach) {
+void check_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& normals,
+                 const std::vector<std::array<int, 4>>& segments, const Vec3& p, double gap, double depth,
+                 double reach) {
     require(nodes.size() == normals.size(), "decide: as many normals as nodes are needed");
     require(p.allFinite(), "decide: the position of the node is not finite [length]");
     require(std::isfinite(gap) && std::isfinite(depth) && std::isfinite(reach),
@@ -30,13 +30,21 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
     for (size_t i = 0; i < normals.size(); ++i)
         require(normals[i].allFinite(), "tool node", i + 1,
                 ": a component of its normal is not finite [-]; give finite ones");
+    for (size_t rank = 0; rank < segments.size(); ++rank)
+        for (const int corner : segments[rank])
+            require(corner >= 0 && static_cast<size_t>(corner) < nodes.size(), "segment", rank + 1,
+                    " names a node that is not there; indices start at 0");
+}
+
+Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& normals,
+                      const std::vector<std::array<int, 4>>& segments, const Vec3& p, double gap, double depth,
+                      double reach) {
+    check_query(nodes, normals, segments, p, gap, depth, reach);
     const auto segment_of = [&](int rank) {
         const auto& corner = segments[static_cast<size_t>(rank)];
         SegmentData segment;
         segment.is_triangle = corner[2] == corner[3];
         for (size_t j = 0; j < 4; ++j) {
-            require(corner[j] >= 0 && static_cast<size_t>(corner[j]) < nodes.size(), "segment",
-                    static_cast<size_t>(rank) + 1, " names a node that is not there; indices start at 0");
             segment.node[j] = from(nodes[static_cast<size_t>(corner[j])]);
             segment.normal[j] = from(normals[static_cast<size_t>(corner[j])]);
         }
@@ -47,15 +55,7 @@ Decision decide_query(const std::vector<Vec3>& nodes, const std::vector<Vec3>& n
         decider.add(rank, segment_of(rank));
     const Retained retained = decider.retained(segment_of);
     if (!retained.exists()) return {};
-    Decision decision;
-    decision.kind = retained.projection.kind;
-    decision.segment = retained.id.segment();
-    decision.triangle = retained.id.triangle();
-    decision.side = retained.projection.side;
-    decision.b = retained.projection.b;
-    decision.c = retained.projection.c;
-    decision.stage = stage_of(retained.settled);
-    return decision;
+    return decision_of(retained);
 }
 
 }  // namespace type21::optimized

@@ -29,6 +29,9 @@ struct Box {
         low = {std::max(low.x, b.low.x), std::max(low.y, b.low.y), std::max(low.z, b.low.z)};
         high = {std::min(high.x, b.high.x), std::min(high.y, b.high.y), std::min(high.z, b.high.z)};
     }
+    bool holds(const V3& p) const {
+        return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+    }
     bool meets(const Box& b) const {
         return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z &&
                b.low.z <= high.z;

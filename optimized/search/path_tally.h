@@ -12,6 +12,9 @@ struct PathTally {
     long searched = 0;          ///< by a full search
     long double_double = 0;     ///< of these, settled in double-double
     long integer = 0;           ///< of these, settled in integers
+    // Of the sorted search only.
+    long candidates = 0;  ///< segments in the lists of the nodes that were searched for
+    long near = 0;        ///< of these, segments whose boxes held the node
 
     void add(const PathTally& other) {
         exclusive_region += other.exclusive_region;
@@ -21,6 +24,8 @@ struct PathTally {
         searched += other.searched;
         double_double += other.double_double;
         integer += other.integer;
+        candidates += other.candidates;
+        near += other.near;
     }
 };
 

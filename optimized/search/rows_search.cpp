@@ -237,7 +237,30 @@ void Search::decide_candidates(Batch& batch, const ProjectionLimits& rules, bool
 void Search::decide_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const {
     const V3 y = batch.point(i);
     const ContactReach reach{batch.gap[i], batch.depth, batch.proximity};
+    if (batch.lists != nullptr) {
+        Found found{search(batch.list(i), y, reach, rules)};
+        use_double_magnitudes(y, reach, found.retained);
+        return put_found(batch, i, found);
+    }
     put_found(batch, i, remembers ? find(y, reach, rules, batch.memory[i]) : Found{search(y, reach, rules)});
+}
+
+void Search::find_in_lists(Batch& batch, const ProjectionLimits& rules) const {
+    int open[Batch::capacity], count = 0;
+    batch.pair_count = batch.close_count = batch.candidate_count = 0;
+    batch.tally = {};
+    batch.memory = nullptr;
+    std::fill_n(batch.settled, batch.count, Settled::filter);
+    std::fill_n(batch.kind, batch.count, Kind::contact);
+    std::fill_n(batch.path, batch.count, Path::searched);
+    std::fill_n(batch.id, batch.count, SubTriangleId::none());
+    for (int i = 0; i < batch.count; ++i) {
+        if (batch.prefetcher != nullptr && i % Prefetcher::group == 0) batch.prefetcher->prefetch(batch.first + i);
+        if (!batch.active[i]) continue;
+        batch.tally.candidates += static_cast<long>(batch.list(i).size());
+        open[count++] = i;
+    }
+    search_rows(batch, open, count, rules, false);
 }
 
 void Search::search_rows(Batch& batch, const int* open, int count, const ProjectionLimits& rules,
@@ -250,13 +273,19 @@ void Search::search_rows(Batch& batch, const int* open, int count, const Project
         const double around = remembers ? wanted_radius(batch.memory[i]) : 0;
         Near near[most_segments];
         int segments = 0;
-        if (plain)
-            tree_.within(y, around, [&](int s, double distance) {
-                if (segments < most_segments) near[segments] = {s, distance};
-                tool_.prefetch_segment(s);
-                __builtin_prefetch(&margins({s, 1}));
-                ++segments;
-            });
+        const auto found = [&](int s, double distance) {
+            if (segments < most_segments) near[segments] = {s, distance};
+            tool_.prefetch_segment(s);
+            __builtin_prefetch(&margins({s, 1}));
+            ++segments;
+        };
+        if (batch.lists != nullptr) {
+            for (const int s : batch.list(i))
+                if (boxes_[static_cast<size_t>(s)].holds(y)) found(s, 0);
+            batch.tally.near += segments;
+        } else if (plain) {
+            tree_.within(y, around, found);
+        }
         if (!plain || segments > most_segments || (remembers && needs_filter(batch.memory[i]))) {
             decide_alone(batch, i, rules, remembers);
             continue;

@@ -32,7 +32,7 @@ bool ReachBoxRule::holds(const V3& y, const SegmentData& segment, const ContactR
     return ((low - growth).array() <= at.array()).all() && (at.array() <= (high + growth).array()).all();
 }
 
-Search::Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule& reach_box)
+Search::Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule& reach_box, SearchKind kind)
     : tool_(tool),
       limits_(limits),
       growth_(std::max(limits.outward, limits.inward)),
@@ -40,16 +40,20 @@ Search::Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule
       usual_clearance_(0),
       usual_radius_(0),
       small_radius_(0),
-      neighbour_(4 * static_cast<size_t>(tool.size())),
-      leads_(4 * static_cast<size_t>(tool.size())) {
-    const std::vector<Box> boxes = segment_boxes(tool, limits);
+      neighbour_(kind == SearchKind::tree ? 4 * static_cast<size_t>(tool.size()) : 0),
+      leads_(neighbour_.size()) {
+    std::vector<Box> boxes = segment_boxes(tool, limits);
     double extent = 0;
     for (const Box& box : boxes)
         extent += largest(box.high - box.low);
     usual_clearance_ = boxes.empty() ? 0 : 16 * extent / static_cast<double>(boxes.size());
     usual_radius_ = usual_clearance_ / 128;
     small_radius_ = usual_radius_ / 16;
-    tree_ = BoxTree(boxes);
+    if (kind == SearchKind::tree) {
+        tree_ = BoxTree(boxes);
+    } else {
+        boxes_ = std::move(boxes);
+    }
     shift_ = tool.triangles_only() ? 2 : 0;
     LipschitzBounds bounds = lipschitz_bounds(tool, growth_);
     kappa_bits_ = std::move(bounds.kappa_bits);
@@ -62,17 +66,33 @@ Search::Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule
 
 size_t Search::bytes() const {
     return tree_.bytes() + margins_.capacity() * sizeof(margins_[0]) + neighbour_.capacity() * sizeof(neighbour_[0]) +
-           leads_.capacity() * sizeof(leads_[0]) + kappa_bits_.capacity();
+           leads_.capacity() * sizeof(leads_[0]) + kappa_bits_.capacity() + boxes_.capacity() * sizeof(Box);
 }
 
-Retained Search::search(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, bool reach_boxes) const {
+/// @param each  calls its argument with the rank of each segment that competes
+template <class EachSegment>
+Retained Search::decide_among(const EachSegment& each, const V3& y, const ContactReach& reach,
+                              const ProjectionLimits& rules, bool reach_boxes) const {
     Decider decider(y, reach, rules);
-    tree_.at(y, [&](int s) {
+    each([&](int s) {
         const SegmentData segment = tool_.segment(s);
         if (reach_boxes && !reach_box_.holds(y, segment, reach)) return;
         decider.add(s, segment);
     });
     return decider.retained([&](int s) { return tool_.segment(s); });
+}
+
+Retained Search::search(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, bool reach_boxes) const {
+    return decide_among([&](const auto& add) { tree_.at(y, add); }, y, reach, rules, reach_boxes);
+}
+
+Retained Search::search(std::span<const int> candidates, const V3& y, const ContactReach& reach,
+                        const ProjectionLimits& rules, bool reach_boxes) const {
+    const auto each = [&](const auto& add) {
+        for (const int s : candidates)
+            if (boxes_[static_cast<size_t>(s)].holds(y)) add(s);
+    };
+    return decide_among(each, y, reach, rules, reach_boxes);
 }
 
 Search::Found Search::find(const V3& y, const ContactReach& reach, const ProjectionLimits& rules,

@@ -16,6 +16,7 @@
 #include "optimized/search/memory.h"
 #include "optimized/search/path_tally.h"
 #include "optimized/search/prefetcher.h"
+#include "optimized/search/search_kind.h"
 #include "optimized/search/weight_lipschitz.h"
 
 namespace type21::optimized {
@@ -86,7 +87,9 @@ struct ReachBoxRule {
 /// anything can.
 class Search {
   public:
-    Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule& reach_box);
+    /// @param kind  sorted: there is neither a tree nor a certificate; only what is said to take lists may be called
+    Search(const Tool& tool, const CaptureLimits& limits, const ReachBoxRule& reach_box,
+           SearchKind kind = SearchKind::tree);
 
     struct Found {
         Retained retained;
@@ -99,12 +102,13 @@ class Search {
         using Row = double[capacity + 8];  ///< rows that are a power of two apart would evict each other from the cache
 
         int count = 0;
-        double depth = 0, proximity = 0;         ///< of all nodes [length]
-        bool exclusive_regions = true;           ///< use them for all nodes; else for nodes with small radii only
-        const Prefetcher* prefetcher = nullptr;  ///< what else the caller will read of the nodes
-        int first = 0;                           ///< rank of the first node, for the prefetcher
-        Memory* memory = nullptr;                ///< of the nodes, one after the other
-        bool active[capacity];                   ///< false: the node is left out
+        double depth = 0, proximity = 0;              ///< of all nodes [length]
+        bool exclusive_regions = true;                ///< use them for all nodes; else for nodes with small radii only
+        const Prefetcher* prefetcher = nullptr;       ///< what else the caller will read of the nodes
+        const std::span<const int>* lists = nullptr;  ///< a list of candidates for each node, with the sorted search
+        int first = 0;                                ///< rank of the first node, for the prefetcher and the lists
+        Memory* memory = nullptr;  ///< of the nodes, one after the other; the sorted search needs none
+        bool active[capacity];     ///< false: the node is left out
 
         alignas(64) Row y[3];  ///< in the tool frame [length]
         alignas(64) Row gap;   ///< that decides contact [length]
@@ -119,6 +123,7 @@ class Search {
 
         Retained retained(int i) const;
         V3 point(int i) const { return {y[0][i], y[1][i], y[2][i]}; }
+        std::span<const int> list(int i) const { return lists[first + i]; }
 
         // Working storage.
         struct NeighbourPair {
@@ -144,8 +149,11 @@ class Search {
     };
     /// @param reach  of this node; its gap and proximity at most CaptureLimits::outward, its depth at most inward
     Found find(const V3& y, const ContactReach& reach, const ProjectionLimits& rules, Memory& memory) const;
-    /// Decides up to Batch::capacity nodes at once; the answers are those of find.
-    void find(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, true); }
+    /// Decides up to Batch::capacity nodes at once; the answers are those of find. Takes lists.
+    void find(Batch& batch, const ProjectionLimits& rules) const {
+        if (batch.lists != nullptr) return find_in_lists(batch, rules);
+        decide(batch, rules, true);
+    }
     /// The same, but b, c, lift, n, x are not filled for nodes within both radii. Gaps and depth must be no smaller
     /// than in the calls before.
     void select(Batch& batch, const ProjectionLimits& rules) const { decide(batch, rules, false); }
@@ -160,6 +168,11 @@ class Search {
     /// The same for one node.
     Retained search(const V3& y, const ContactReach& reach, const ProjectionLimits& rules,
                     bool reach_boxes = true) const;
+    /// The same among the candidates of a list that covers the node.
+    Retained search(std::span<const int> candidates, const V3& y, const ContactReach& reach,
+                    const ProjectionLimits& rules, bool reach_boxes = true) const;
+    /// Of the segments, for the lists of the sorted search; empty with the tree.
+    const std::vector<Box>& boxes() const { return boxes_; }
 
     const CaptureLimits& limits() const { return limits_; }
     /// Number of sub-triangles; a triangle in a mixed tool counts four times.
@@ -209,6 +222,11 @@ class Search {
     /// Within this distance of the node the sub-triangle takes it in contact, on the same side; <= 0: not known.
     double contact_safe_radius(const ProjectionBatch& rows, int column, double depth, SubTriangleId id) const;
     void decide_alone(Batch& batch, int i, const ProjectionLimits& rules, bool remembers) const;
+    /// Decides the active nodes, each among the candidates of its list.
+    void find_in_lists(Batch& batch, const ProjectionLimits& rules) const;
+    template <class EachSegment>
+    Retained decide_among(const EachSegment& each, const V3& y, const ContactReach& reach,
+                          const ProjectionLimits& rules, bool reach_boxes) const;
     BatchLimits batch_limits(double depth, double proximity) const;
     static void put_node(ProjectionBatch& rows, int column, const V3& y, double gap);
     /// A node, and whether the sub-triangle is a priori bounded.
@@ -281,7 +299,8 @@ class Search {
     CaptureLimits limits_;
     double growth_;  ///< max(outward, inward) [length]
     ReachBoxRule reach_box_;
-    BoxTree tree_;
+    BoxTree tree_;            ///< empty with the sorted search
+    std::vector<Box> boxes_;  ///< of the segments, for the sorted search
     double usual_clearance_;  ///< no larger clearance is looked for [length]
     double usual_radius_;     ///< no larger ranking safe radius is looked for [length]
     double small_radius_;     ///< nodes with smaller ones use exclusive regions and neighbour zones [length]

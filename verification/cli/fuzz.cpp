@@ -19,7 +19,7 @@ namespace {
 
 struct FuzzArguments {
     std::vector<std::string> families;
-    std::string with = "reference", json, failures = "fuzz_failures";
+    std::string with = "reference", search, json, failures = "fuzz_failures";
     FuzzOptions fuzz;
     bool list = false;
 };
@@ -57,7 +57,9 @@ int run_fuzz(FuzzArguments options) {
             fmt::print("{:<16} {}\n", family.name, family.what);
         return exit_ok;
     }
-    options.fuzz.method = method_named(options.with);
+    if (!options.search.empty() && options.with != name(DecideWith::optimized))
+        throw UsageError(fmt::format("--search {}: only --with optimized has a choice of search", options.search));
+    options.fuzz.method = method_named(options.with + (options.search.empty() ? "" : "-" + options.search));
     std::vector<FuzzTally> tallies;
     long different = 0;
     for (const QuestionFamily* family : chosen(options.families)) {
@@ -100,6 +102,7 @@ void add_fuzz(CLI::App& app, int& exit_code) {
                      "method under test: reference, optimized, exact (rational numbers) or double")
         ->check(CLI::IsMember(method_names()))
         ->capture_default_str();
+    add_search(*verb, options->search, "; only with --with optimized (default: none, every segment competes)");
     verb->add_option("--jobs", options->fuzz.jobs, "number of threads (default: number of processors)")
         ->check(CLI::PositiveNumber);
     verb->add_option("--failures", options->failures, "folder for the files of wrong answers")->capture_default_str();

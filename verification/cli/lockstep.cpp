@@ -10,13 +10,14 @@
 #include "verification/cli/verbs.h"
 #include "verification/criteria/cases/verify_cases.h"
 #include "verification/criteria/lockstep/lockstep_report.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::cli {
 namespace {
 
 struct LockstepArguments {
     std::vector<std::string> names;
-    std::string cases = "cases", as_built, json, free_runs;
+    std::string cases = "cases", as_built, json, free_runs, search;
     bool as_built_given = false, quiet = false;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
@@ -41,7 +42,7 @@ int run(const LockstepArguments& options) {
             targets.push_back(target);
     }
     size_t done = 0;
-    LockstepOptions how{options.jobs, options.free_runs, {}};
+    LockstepOptions how{options.jobs, options.free_runs, {}, options.search};
     if (!options.quiet)
         how.progress = [&](const LockstepRecord& record) {
             fmt::print(stderr, "[{:>3}/{}] {} {:.2f} s{}\n", ++done, targets.size(), record.target.name, record.seconds,
@@ -49,7 +50,11 @@ int run(const LockstepArguments& options) {
         };
     const std::vector<LockstepRecord> records = lockstep_decks(targets, how);
     fmt::print("{}", to_text(records));
-    if (!options.json.empty()) write_report(options.json, to_json(records));
+    if (!options.json.empty()) {
+        nlohmann::ordered_json json = to_json(records);
+        json["search"] = options.search.empty() ? search_choices().front() : options.search;
+        write_report(options.json, json);
+    }
     for (const LockstepRecord& record : records) {
         // A deck named by the user must run; some cases have decks that must be refused.
         if (record.refused && record.target.name.ends_with(".rad")) return exit_deck;
@@ -70,6 +75,7 @@ void add_lockstep(CLI::App& app, int& exit_code) {
     add_as_built(*verb, options->as_built);
     verb->add_option("--free-runs", options->free_runs,
                      "also run both separately, into this folder, and print the largest difference of their histories");
+    add_search(*verb, options->search, " (default: tree)");
     verb->add_option("--json", options->json, "also write the output to this JSON file");
     verb->add_option("--jobs", options->jobs, "number of runs at a time (default: number of processors)")
         ->check(CLI::PositiveNumber);

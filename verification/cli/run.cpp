@@ -15,11 +15,12 @@ namespace type21::cli {
 namespace {
 
 struct RunArguments {
-    std::string deck, out, as_built, thickness, with = "reference";
+    std::string deck, out, as_built, thickness, with = "reference", search;
     bool quiet = false, paraview = false;
 };
 
 int run(const RunArguments& options) {
+    const MakeContact make = chosen_contact(options.with, options.search);
     const PreparedDeck prepared = prepare_deck(options.deck, options.as_built, true, options.thickness);
     print_problems(prepared.problems);
     if (!prepared.scene) return exit_deck;
@@ -28,7 +29,7 @@ int run(const RunArguments& options) {
     std::function<void(const RunProgress&)> report;
     if (!options.quiet) report = [&progress](const RunProgress& p) { progress(p); };
     const RunSummary summary =
-        run_scene(scene, prepared.problems, options.out, report, prepared.options(), options.with, {options.paraview});
+        run_scene(scene, prepared.problems, options.out, report, prepared.options(), make, {options.paraview});
     progress.finish();
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
@@ -55,6 +56,7 @@ void add_run(CLI::App& app, int& exit_code) {
     verb->add_option("--with", options->with, "implementation of the contact")
         ->check(CLI::IsMember(contact_choices()))
         ->capture_default_str();
+    add_search(*verb, options->search, "; only with --with optimized (default: tree)");
     verb->add_flag(
         "--paraview", options->paraview,
         "also write blank and tool of each interface as time series for ParaView, in the subfolder paraview");

@@ -27,6 +27,13 @@ std::string interface_text(const RunSummary& summary, const Model& model, size_t
                            model.nodes.id[static_cast<size_t>(count.deepest_node)], count.deepest_time,
                            units.name(dim::time));
     if (const std::string decisions = to_text(summary.stage_counts[i]); !decisions.empty()) out += "  " + decisions;
+    if (const auto& sorted = summary.sorted_search[i])
+        out += fmt::format(
+            "  search    margin {:.4g} {} (Bumult {:g}), sorted in {} of {} cycles, {:.2f} candidates a node, of which "
+            "{:.2f} had it in their box, {:.0f} bytes a node\n",
+            sorted->margin, units.name(dim::length), model.interfaces[i].bumult.value, sorted->sorts, sorted->cycles,
+            sorted->candidates_per_node(), sorted->near_per_node(),
+            static_cast<double>(sorted->bytes) / std::max(1, model.interfaces[i].secondary.size()));
     out += fmt::format("  impulse on the tool, normal      {} {}\n", vector_text(totals.normal), impulse);
     out += fmt::format("                       tangential  {} {}\n", vector_text(totals.tangential), impulse);
     out +=

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "reference/deck/problem.h"
+#include "reference/host/march.h"
 
 namespace type21::cli {
 
@@ -26,6 +27,13 @@ void add_bench(CLI::App& app, int& exit_code);
 
 /// The option --as-built; a wrong set is a usage error.
 void add_as_built(CLI::App& verb, std::string& as_built);
+
+/// The option --search, without a default. @param also  goes on with the words of --help
+void add_search(CLI::App& verb, std::string& search, const std::string& also);
+
+/// contact_maker() of --with and --search.
+/// @throws UsageError where a search is chosen for the reference
+MakeContact chosen_contact(const std::string& with, const std::string& search);
 
 /// Prints every problem on stderr, in the order of the deck, and their number.
 void print_problems(const Problems& problems);

@@ -9,6 +9,7 @@
 
 #include "reference/host/prepare_deck.h"
 #include "verification/results/record/run_deck.h"
+#include "verification/support/contact_choice.h"
 #include "verification/support/in_parallel.h"
 
 namespace type21 {
@@ -23,9 +24,9 @@ std::string replaced(std::string text, char from, char to) {
 }
 
 /// Each contact runs by itself; what comes apart is measured at the end.
-void run_apart(const PreparedDeck& deck, const fs::path& folder, LockstepRecord& record) {
-    for (const char* with : {"reference", "optimized"})
-        run_scene(*deck.scene, deck.problems, folder / with, {}, deck.options(), with);
+void run_apart(const PreparedDeck& deck, const fs::path& folder, const std::string& search, LockstepRecord& record) {
+    run_scene(*deck.scene, deck.problems, folder / "reference", {}, deck.options(), "reference");
+    run_scene(*deck.scene, deck.problems, folder / "optimized", {}, deck.options(), contact_maker("optimized", search));
     const FolderComparison both = compare_folders(folder / "optimized", folder / "reference", {});
     record.apart = 0;
     for (const FileComparison& file : both.files) {
@@ -36,7 +37,7 @@ void run_apart(const PreparedDeck& deck, const fs::path& folder, LockstepRecord&
     }
 }
 
-LockstepRecord step_one(const LockstepTarget& target, const fs::path& free_runs) {
+LockstepRecord step_one(const LockstepTarget& target, const LockstepOptions& options) {
     LockstepRecord record;
     record.target = target;
     const auto start = std::chrono::steady_clock::now();
@@ -48,8 +49,10 @@ LockstepRecord step_one(const LockstepTarget& target, const fs::path& free_runs)
             if (record.refused && record.error.empty() && problem.severity == Severity::error)
                 record.error = to_text(problem);
         if (deck.scene) {
-            record.result = lockstep(*deck.scene, deck.options());
-            if (!free_runs.empty()) run_apart(deck, free_runs / replaced(target.name, '/', '_'), record);
+            record.result = lockstep(*deck.scene, deck.options(), contact_maker("reference"),
+                                     contact_maker("optimized", options.search));
+            if (!options.free_runs.empty())
+                run_apart(deck, options.free_runs / replaced(target.name, '/', '_'), options.search, record);
         }
     } catch (const std::exception& error) {
         record.error = error.what();
@@ -85,7 +88,7 @@ std::vector<LockstepRecord> lockstep_decks(const std::vector<LockstepTarget>& ta
     std::vector<LockstepRecord> records(targets.size());
     std::mutex reporting;
     in_parallel(targets.size(), options.jobs, [&](size_t t) {
-        records[t] = step_one(targets[t], options.free_runs);
+        records[t] = step_one(targets[t], options);
         const std::lock_guard<std::mutex> lock(reporting);
         if (options.progress) options.progress(records[t]);
     });

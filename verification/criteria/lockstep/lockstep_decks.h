@@ -36,6 +36,7 @@ struct LockstepOptions {
     /// Folder for separate runs of both, each with its own contact; empty: none.
     std::filesystem::path free_runs;
     std::function<void(const LockstepRecord&)> progress;  ///< after each, never twice at the same time
+    std::string search{};                                 ///< of the optimized contact; empty: its default
 };
 
 /// The runs of the cases, with the departures of their case.toml; with `as_built` each deck once, with these

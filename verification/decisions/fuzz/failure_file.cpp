@@ -72,7 +72,7 @@ std::string every_answer(const DecisionTool& tool, const ContactQuery& query) {
     };
     const DecisionAnswer staged = decide(tool, query, DecideWith::reference);
     std::string text;
-    const auto line = [&](const char* how, const std::string& answer) {
+    const auto line = [&](std::string_view how, const std::string& answer) {
         text += fmt::format("  {:<20} {}\n", how, answer);
     };
     line("plain double", in_words(decide(tool, query, DecideWith::plain)));
@@ -80,7 +80,8 @@ std::string every_answer(const DecisionTool& tool, const ContactQuery& query) {
     line("interval", in_words(retained_by(candidates, by_interval)));
     line("rational numbers", in_words(decide(tool, query, DecideWith::exact)));
     line("reference", fmt::format("{}; settled by {}", in_words(staged), name(staged.stage)));
-    line("optimized", in_words(decide(tool, query, DecideWith::optimized)));
+    for (const DecideWith method : {DecideWith::optimized, DecideWith::by_tree, DecideWith::by_sorting})
+        line(name(method), in_words(decide(tool, query, method)));
     line("second opinion", in_words(second_opinion(tool, query)));
     const double how_far = margin(tool, query);
     line("margin", fmt::format("{:.3g} [length], {:.3g} ulps", how_far, in_ulps(how_far, query.point)));

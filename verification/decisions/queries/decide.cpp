@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "optimized/projection/query.h"
+#include "optimized/search/sorted/query_by_search.h"
 #include "reference/exact/fraction.h"
 #include "reference/exact/impact_enclosure.h"
 #include "verification/decisions/queries/tool_candidates.h"
@@ -21,6 +22,7 @@ namespace {
 using Box = Eigen::AlignedBox3d;
 
 constexpr std::array methods{DecideWith::reference, DecideWith::optimized, DecideWith::exact, DecideWith::plain};
+constexpr std::array methods_of_search{DecideWith::by_tree, DecideWith::by_sorting};
 
 /// Exact: the answers are, and a tool must not be called flat that takes a node, nor the other way round.
 bool has_area(const reference::SegmentShape<double>& shape) {
@@ -83,6 +85,10 @@ std::string_view name(DecideWith method) {
             return "reference";
         case DecideWith::optimized:
             return "optimized";
+        case DecideWith::by_tree:
+            return "optimized-tree";
+        case DecideWith::by_sorting:
+            return "optimized-sorted";
         case DecideWith::exact:
             return "exact";
         case DecideWith::plain:
@@ -101,16 +107,24 @@ std::vector<std::string> method_names() {
 DecideWith method_named(std::string_view word) {
     for (const DecideWith method : methods)
         if (name(method) == word) return method;
+    for (const DecideWith method : methods_of_search)
+        if (name(method) == word) return method;
     throw std::invalid_argument(fmt::format("there is no way '{}' to decide", word));
 }
 
 DecisionAnswer decide(const DecisionTool& tool, const ContactQuery& query, DecideWith method,
                       DecisionStageCounts* counts) {
-    if (method == DecideWith::optimized) {
+    if (method == DecideWith::optimized || method == DecideWith::by_tree || method == DecideWith::by_sorting) {
         if (!query.as_documented())
             throw std::invalid_argument("the optimized implementation answers queries with the documented limits only");
-        const Decision decision = optimized::decide_query(tool.node, tool.normal, tool.segment, query.point, query.gap,
-                                                          query.depth, query.proximity_reach);
+        const auto answer = [&](auto... search) {
+            return optimized::decide_query(tool.node, tool.normal, tool.segment, query.point, query.gap, query.depth,
+                                           query.proximity_reach, search...);
+        };
+        using optimized::SearchKind;
+        const Decision decision = method == DecideWith::optimized ? answer()
+                                  : method == DecideWith::by_tree ? answer(SearchKind::tree)
+                                                                  : answer(SearchKind::sorted);
         return {decision.kind, decision.segment, decision.triangle, decision.side, decision.stage, 0, 0};
     }
     const ToolCandidates candidates(tool, query);
@@ -120,6 +134,8 @@ DecisionAnswer decide(const DecisionTool& tool, const ContactQuery& query, Decid
             impact = staged_impact(query, candidates.segments(), counts);
             break;
         case DecideWith::optimized:
+        case DecideWith::by_tree:
+        case DecideWith::by_sorting:
             break;
         case DecideWith::exact:
             impact = exact_impact(query, candidates.segments());

@@ -11,14 +11,17 @@
 namespace type21 {
 
 enum class DecideWith {
-    reference,  ///< the reference, exact: in stages
-    optimized,  ///< the optimized implementation, exact
-    exact,      ///< rational numbers only: slow, to check the others
-    plain       ///< plain double only: may be wrong
+    reference,   ///< the reference, exact: in stages
+    optimized,   ///< the optimized implementation, exact; every segment competes
+    by_tree,     ///< the same, among the segments that its tree finds
+    by_sorting,  ///< the same, among those that its sorted search finds
+    exact,       ///< rational numbers only: slow, to check the others
+    plain        ///< plain double only: may be wrong
 };
 
-/// "reference", "optimized", "exact", "double": the words of --with.
+/// "reference", "optimized", "exact", "double": the words of --with. And "optimized-tree", "optimized-sorted".
 std::string_view name(DecideWith method);
+/// The words of --with.
 std::vector<std::string> method_names();
 /// @throws std::invalid_argument for a name that is not one
 DecideWith method_named(std::string_view name);

@@ -37,6 +37,17 @@ Json memory_json(const std::vector<std::vector<EffectMemory>>& memory, size_t in
     return json;
 }
 
+Json sorted_json(const optimized::SortedSearchCounts& counts, const Interface& card) {
+    return {{"bumult", card.bumult.value},
+            {"margin", counts.margin},
+            {"cycles", counts.cycles},
+            {"sorts", counts.sorts},
+            {"searches", counts.searches},
+            {"candidates_per_node", counts.candidates_per_node()},
+            {"boxes_per_node", counts.near_per_node()},
+            {"bytes", counts.bytes}};
+}
+
 Json contact_json(const ContactCount& count, const Model& model) {
     Json json = {{"secondary_nodes", count.nodes},           {"in_contact_at_end", count.in_contact},
                  {"sticking_at_end", count.sticking},        {"sliding_at_end", count.sliding},
@@ -63,6 +74,11 @@ void RunSummary::observe(const CycleRecord& record) {
     stage_counts.resize(record.methods->size());
     for (size_t i = 0; i < stage_counts.size(); ++i)
         stage_counts[i] = (*record.methods)[i]->decision_stage_counts();
+    sorted_search.clear();
+    for (const auto& method : *record.methods) {
+        const auto* fast = dynamic_cast<const optimized::Contact*>(method.get());
+        sorted_search.push_back(fast != nullptr ? fast->sorted_search() : std::nullopt);
+    }
 }
 
 std::string_view name(RunSummary::State state) {
@@ -111,6 +127,8 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
                            {"heat_to_tool", summary.totals[i].heat_to_tool},
                            {"contact", contact_json(summary.contact.at(i), model)},
                            {"balance", balance_json(summary.balance.at(i))}});
+        if (summary.sorted_search.at(i))
+            results.back()["sorted_search"] = sorted_json(*summary.sorted_search[i], model.interfaces[i]);
     }
     json["results"] = std::move(results);
     return json;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "optimized/contact.h"
 #include "reference/host/march.h"
 #include "verification/results/balance/balance.h"
 #include "verification/results/balance/contact_count.h"
@@ -27,6 +29,9 @@ struct RunSummary {
     std::vector<ContactCount> contact;
     std::vector<std::vector<EffectMemory>> memory;  ///< bytes that each effect of an interface holds per node
     std::vector<DecisionStageCounts> stage_counts;  ///< how many decisions of each interface each stage settled
+
+    /// Of the optimized contact with the sorted search; empty otherwise.
+    std::vector<std::optional<optimized::SortedSearchCounts>> sorted_search;
 
     void observe(const CycleRecord& record);
 };
