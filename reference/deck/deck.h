@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -58,6 +59,10 @@ struct Deck {
     Place place(const DataLine& line) const { return {files.at(static_cast<size_t>(line.file)), line.number}; }
     Place place(const Card& card) const { return place(card.place); }
 };
+
+/// Gives back the memory of data lines that are not needed any more: the lines of these cards of the starter deck are
+/// gone, and so are the pieces of text that no other line points into.
+void forget_lines(Deck& deck, const std::function<bool(const Card&)>& of);
 
 /// Reads a starter deck and the engine deck beside it, or one file that holds both inputs. Every problem of the text
 /// itself (missing file or include, another program's file, binary content, an include that includes itself, text

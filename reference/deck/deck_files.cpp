@@ -34,7 +34,7 @@ std::string DiskFiles::similar(const std::string& path) const {
 }
 
 std::optional<TextFile> DiskFiles::load(const std::string& path, const Problem& blame, Problems& problems) const {
-    return load_text(path, blame, problems);
+    return load_text(path, blame, problems, TextKind::deck);
 }
 
 bool MemoryFiles::exists(const std::string& path) const {

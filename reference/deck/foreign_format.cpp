@@ -181,6 +181,11 @@ std::string_view table_or_settings(std::string_view line, std::string_view rest)
     return {};
 }
 
+/// "2411" behind the line "-1" that begins a dataset of a universal file.
+bool is_dataset_number(std::string_view line) {
+    return !line.empty() && line.size() <= 4 && line.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::string_view text_format(std::string_view text) {
     for (int lines = 0; lines < 1000 && !text.empty(); ++lines) {
         const std::string_view line = next_line(text);
@@ -193,7 +198,7 @@ std::string_view text_format(std::string_view text) {
         if (line.starts_with("**")) continue;  // a comment of Abaqus
         if (const auto name = find_beginning(text_beginnings, head); !name.empty()) return name;
         if (line.front() == '*') return starred(line, text);
-        if (line == "-1" && trimmed(next_line(text)).size() <= 4) return "an I-DEAS universal file";
+        if (line == "-1") return is_dataset_number(next_line(text)) ? "an I-DEAS universal file" : "";
         if (line.front() == '/') return {};
         return table_or_settings(line, text);
     }

@@ -91,12 +91,12 @@ std::nullopt_t refuse(const std::string& path, Problem problem, Problems& proble
 /// Makes a TextFile of the pieces of a file.
 class TextBuilder {
   public:
-    TextBuilder(const std::string& path, const Problem& blame, Problems& problems)
-        : path_(path), blame_(blame), problems_(problems) {}
+    TextBuilder(const std::string& path, TextKind kind, const Problem& blame, Problems& problems)
+        : path_(path), kind_(kind), blame_(blame), problems_(problems) {}
 
     /// A look at the beginning of the file; false and an error when it is another program's.
     bool begin(std::string& bytes, std::uintmax_t size) {
-        std::string name = foreign_format(bytes, path_, size);
+        std::string name = kind_ == TextKind::deck ? foreign_format(bytes, path_, size) : "";
         if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
         if (name.empty()) return true;
         std::string remedy = "Give a Radioss deck: its cards begin with '/' in column 1";
@@ -126,6 +126,7 @@ class TextBuilder {
 
   private:
     const std::string& path_;
+    TextKind kind_;
     const Problem& blame_;
     Problems& problems_;
     TextFile file_;
@@ -182,20 +183,20 @@ bool LineReader::next(std::string_view& line) {
 }
 
 std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems) {
-    TextBuilder builder(path, blame, problems);
+    TextBuilder builder(path, TextKind::deck, blame, problems);
     if (!builder.begin(bytes, bytes.size())) return std::nullopt;
     builder.add(std::move(bytes));
     return builder.end();
 }
 
-std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems) {
+std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems, TextKind kind) {
     const std::string remedy = "Give the path of a readable text file";
     if (const std::string fault = fault_of(path); !fault.empty()) return refuse(path, blame, problems, fault, remedy);
     std::FILE* file = std::fopen(path.c_str(), "rb");
     if (file == nullptr)
         return refuse(path, blame, problems, std::string("the file cannot be opened: ") + std::strerror(errno), remedy);
     std::error_code code;
-    TextBuilder builder(path, blame, problems);
+    TextBuilder builder(path, kind, blame, problems);
     bool failed = false;
     const bool whole = read_pieces(file, fs::file_size(path, code), builder, failed);
     std::fclose(file);

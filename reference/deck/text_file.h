@@ -38,13 +38,19 @@ class LineReader {
     std::size_t at_ = 0;
 };
 
-/// The lines of these bytes; binary content is an error.
+enum class TextKind {
+    deck,  ///< another program's file is an error that names it
+    any
+};
+
+/// The text of these bytes of a deck; binary content and another program's file are errors.
 /// @param blame as for load_text
 std::optional<TextFile> text_of(std::string bytes, const std::string& path, const Problem& blame, Problems& problems);
 
 /// Loads a file. A file that is missing, not a regular file, unreadable, too large or binary is an error.
 /// @param blame where the message points and which card asked for the file; its value is the path.
-std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems);
+std::optional<TextFile> load_text(const std::string& path, const Problem& blame, Problems& problems,
+                                  TextKind kind = TextKind::any);
 
 /// Blanks at both ends removed.
 std::string_view trimmed(std::string_view text);

@@ -29,7 +29,7 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     PreparedDeck prepared;
     Problems& problems = prepared.problems;
     const AsBuilt departures = parse_as_built(as_built, problems);
-    const Deck deck = read_deck(path, problems);
+    Deck deck = read_deck(path, problems);
     const bool readable = !(deck.starter.empty() && problems.has_errors());
     if (readable && needs_engine && !deck.has_engine)
         problems.add({Severity::error,
@@ -41,7 +41,7 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
                       fmt::format("Write {} with at least /RUN and the end time", engine_path(path))});
     // Even a faulty deck is resolved, so that its author sees all problems in one go.
     if (!readable) return prepared;
-    auto model = std::make_shared<const Model>(resolve(deck, departures, problems));
+    auto model = std::make_shared<const Model>(resolve_and_forget(deck, departures, problems));
     check_interfaces(deck, *model, problems);
     if (problems.has_errors()) return prepared;
     warn_of_surprises(deck, *model, problems);

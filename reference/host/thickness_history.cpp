@@ -125,10 +125,11 @@ ThicknessHistory ThicknessHistory::read(const std::string& path, const Model& mo
     std::vector<int> columns;
     double last = 0;
     bool has_rows = false;
-    for (size_t i = 0; i < file->lines.size(); ++i) {
-        if (trimmed(file->lines[i]).empty()) continue;
-        const auto line = static_cast<int>(i) + 1;
-        const std::vector<std::string_view> words = cells(file->lines[i]);
+    LineReader lines(*file);
+    std::string_view text;
+    for (int line = 1; lines.next(text); ++line) {
+        if (trimmed(text).empty()) continue;
+        const std::vector<std::string_view> words = cells(text);
         if (header.empty()) {
             header = words;
             columns = read_header(header, line, model, complain);

@@ -38,7 +38,7 @@ const std::map<Keyword, Lines>& table() {
         {Keyword::added_mass_each, {"title", "Mass grnod_ID"}},
         {Keyword::added_mass_shared, {"title", "Mass grnod_ID"}},
         {Keyword::load, {"title", "fct_IDT Dir ... grnod_ID ..."}},
-        {Keyword::function, {"title", "X Y"}},
+        {Keyword::function, {"title"}},
         {Keyword::sensor, {"title", "Tdelay"}},
         {Keyword::friction, {"title", "Ifric Ifiltr Xfreq", "C1 C2 C3 C4 C5", "C6 Fric VISf"}},
         {Keyword::history_interface, {"title", "variables"}},

@@ -159,8 +159,9 @@ void CardReader::skip(size_t line, int first, int last) const {
 
 void CardReader::need(const std::vector<std::string_view>& lines) {
     if (line_count() >= lines.size()) return;
-    error(-1, "", fmt::format("{} data lines", line_count()),
-          fmt::format("the card ends early: it needs {} data lines ({})", lines.size(), fmt::join(lines, "; ")),
+    const auto counted = [](size_t count) { return fmt::format("{} data line{}", count, count == 1 ? "" : "s"); };
+    error(-1, "", counted(line_count()),
+          fmt::format("the card ends early: it needs {} ({})", counted(lines.size()), fmt::join(lines, "; ")),
           "Add the lines that are missing; a line whose fields are all unused is a blank line");
     ends_early_ = true;
 }

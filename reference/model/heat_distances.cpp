@@ -29,7 +29,8 @@ void settle_drad(const CardValidator& validator, std::string_view prefix) {
     } else if (it.drad < it.largest_gap) {
         take_by_rule(it.drad, it.largest_gap, fmt::format("raised from {} to the largest gap", it.drad.value));
     }
-    if (it.drad > it.shortest_edge)
+    // A gap longer than the edge has had its own message, and no smaller Drad would change anything then.
+    if (it.drad > it.shortest_edge && it.largest_gap <= it.shortest_edge)
         validator.warning(
             "Drad",
             fmt::format("is larger than the shortest secondary edge {}: more of the mesh is searched than one "

@@ -15,7 +15,11 @@ struct Compound {
     CardReader reader;
     std::vector<std::pair<int, bool>> from;  ///< entry, turned
     size_t waits_for = 0;                    ///< entries of `from` that are compounds and not complete yet
+    double members = 0;                      ///< how many plain sets it is made of, each as often as it is named
 };
+
+/// A chain in which every set names the next one twice doubles at each link; no deck means that.
+constexpr double most_members = 1e6;
 
 }  // namespace
 
@@ -29,7 +33,7 @@ void read_compounds(Reading& reading, Keyword keyword, Registry& registry, const
     const int first = next();
     std::vector<Compound> compounds;
     reading.each(keyword, registry, next, [&](CardReader& reader, Id id) {
-        compounds.push_back({next(), id, reader, {}, 0});
+        compounds.push_back({next(), id, reader, {}, 0, 0});
         start(reader, id);
     });
     std::vector<std::vector<size_t>> waiting(compounds.size());  // by compound: those that list it
@@ -49,7 +53,17 @@ void read_compounds(Reading& reading, Keyword keyword, Registry& registry, const
     }
     std::vector<char> made(compounds.size(), 0);
     for (size_t i = 0; i < ready.size(); ++i) {
-        const Compound& compound = compounds[ready[i]];
+        Compound& compound = compounds[ready[i]];
+        for (const auto& [from, turned] : compound.from)
+            compound.members += from < first ? 1 : compounds[static_cast<size_t>(from - first)].members;
+        if (compound.members > most_members) {
+            compound.reader.error(
+                -1, field, fmt::format("{}", compound.id),
+                fmt::format("the set is made of more than {:.0f} others, one way or another", most_members),
+                "Name each set once");
+            compound.members = 0;
+            compound.from.clear();
+        }
         for (const auto& [from, turned] : compound.from)
             append(compound.index, from, turned);
         if (finish) finish(compound.index);

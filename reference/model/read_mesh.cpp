@@ -185,13 +185,17 @@ bool read_plain_shell(const Reading& reading, const PlainShell& line, double fac
         shell.node[corner] = found->second;
     }
     shell.thickness = line.thickness * factor;
+    bool may_be_zero = false;
     if (shell.thickness == 0) {
-        const int property = reading.model.parts[static_cast<size_t>(part)].property;
-        if (property >= 0) shell.thickness = reading.model.properties[static_cast<size_t>(property)].thickness;
+        const int index = reading.model.parts[static_cast<size_t>(part)].property;
+        if (index < 0) return false;
+        const Property& property = reading.model.properties[static_cast<size_t>(index)];
+        shell.thickness = property.thickness;
+        may_be_zero = property.kind != PropertyKind::shell;
     }
     shell.id = line.id;
     shell.part = part;
-    return shell.thickness > 0 && std::isfinite(shell.thickness);
+    return (shell.thickness > 0 || (shell.thickness == 0 && may_be_zero)) && std::isfinite(shell.thickness);
 }
 
 /// The same by the reader that says what is wrong. The id, where it is one, is in the shell.
@@ -260,9 +264,15 @@ void read_shells(Reading& reading, Keyword keyword, int corners, std::string_vie
 
 /// /NODE, /SHELL and /SH3N. All shells of four nodes come before those of three, as in Radioss.
 void read_mesh(Reading& reading) {
+    const auto forget = [&](std::string_view word) {
+        if (reading.forget) reading.forget(word);
+    };
     read_nodes(reading);
+    forget("NODE");
     read_shells(reading, Keyword::shell, 4, "shell_ID");
+    forget("SHELL");
     read_shells(reading, Keyword::sh3n, 3, "sh3n_ID");
+    forget("SH3N");
 }
 
 }  // namespace type21

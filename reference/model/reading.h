@@ -78,6 +78,10 @@ struct Reading {
 
     CardReader reader(const Card& card, size_t unit_position);
 
+    /// Gives back the memory of the lines of all cards of this keyword, which nobody reads again; empty where the deck
+    /// belongs to someone else.
+    std::function<void(std::string_view word)> forget = {};
+
     /// Counts a card that is not read because nothing here depends on it; say_ignored() makes one warning of them.
     void ignore(const Card& card);
     void say_ignored();

@@ -127,12 +127,20 @@ void check_interfaces(const Deck& deck, const Model& model, Problems& problems) 
     problems.add(problem);
 }
 
-Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems) {
+namespace {
+
+/// @param own  the same deck when its mesh lines may be forgotten, else nullptr
+Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problems& problems) {
     Model model;
     model.as_built = as_built;
     if (!deck.files.empty()) model.deck_path = deck.files.front();
     if (deck.starter.empty()) return model;  // reading the deck has said why
     Reading reading(deck, model, problems);
+    if (own != nullptr) {
+        reading.forget = [own](std::string_view word) {
+            forget_lines(*own, [word](const Card& card) { return !card.words.empty() && card.words[0] == word; });
+        };
+    }
     read_begin(reading);
     check_keywords(reading);
     read_functions(reading);
@@ -153,6 +161,16 @@ Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems) {
     read_engine(reading);
     reading.say_ignored();
     return model;
+}
+
+}  // namespace
+
+Model resolve(const Deck& deck, const AsBuilt& as_built, Problems& problems) {
+    return resolve_deck(deck, nullptr, as_built, problems);
+}
+
+Model resolve_and_forget(Deck& deck, const AsBuilt& as_built, Problems& problems) {
+    return resolve_deck(deck, &deck, as_built, problems);
 }
 
 }  // namespace type21

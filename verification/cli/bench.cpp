@@ -10,13 +10,14 @@
 #include "reference/host/prepare_deck.h"
 #include "verification/cli/exit_code.h"
 #include "verification/cli/verbs.h"
+#include "verification/performance/bench/reading.h"
 
 namespace type21::cli {
 namespace {
 
 struct BenchArguments {
     std::string deck, json;
-    std::vector<std::string> sizes, nodes;
+    std::vector<std::string> sizes, nodes, reading;
     std::vector<int> threads{1, 2};
     std::string check = "200k";
     int cycles = 200;
@@ -33,6 +34,17 @@ std::vector<int> counts(const char* option, const std::vector<std::string>& word
         }
     }
     return out;
+}
+
+/// Before anything else, as a process has the memory of the one that it comes from.
+std::vector<bench::ReadingRow> read_decks(const BenchArguments& options,
+                                          const std::function<void(const std::string&)>& progress) {
+    std::vector<bench::ReadingRow> rows;
+    for (const int nodes : counts("--reading", options.reading, 1000, 10000000)) {
+        progress(fmt::format("reading a deck of {} nodes", nodes));
+        rows.push_back(bench::measure_reading(nodes));
+    }
+    return rows;
 }
 
 int run(const BenchArguments& options, const std::string& command) {
@@ -63,10 +75,19 @@ int run(const BenchArguments& options, const std::string& command) {
             std::fflush(stderr);
         };
     }
+    const std::vector<bench::ReadingRow> reading = read_decks(options, bench.progress);
     bench::BenchResult result = bench::run_bench(bench);
     result.command = command;
-    fmt::print("{}", bench::to_text(result));
-    if (!options.json.empty()) write_report(options.json, bench::to_json(result));
+    for (const bench::ReadingRow& row : reading) {
+        for (bench::Target& target : bench::reading_targets(row))
+            result.targets.push_back(std::move(target));
+    }
+    fmt::print("{}{}", bench::to_text(result), bench::to_text(reading));
+    if (!options.json.empty()) {
+        nlohmann::ordered_json json = bench::to_json(result);
+        json["reading"] = bench::to_json(reading);
+        write_report(options.json, json);
+    }
     return result.different() == 0 ? exit_ok : exit_mismatch;
 }
 
@@ -85,6 +106,9 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->delimiter(',');
     verb->add_option("--nodes", options->nodes,
                      "further numbers of nodes above the pan (default: 10k,1M; with --quick: none)")
+        ->delimiter(',');
+    verb->add_option("--reading", options->reading,
+                     "numbers of nodes of decks that are written, and read in a process of their own (default: none)")
         ->delimiter(',');
     verb->add_option("--threads", options->threads, "numbers of threads to compare; everything else uses one thread")
         ->delimiter(',')
@@ -109,6 +133,7 @@ void add_bench(CLI::App& app, int& exit_code) {
         if (options->quick) add("--quick");
         if (!options->sizes.empty()) add(fmt::format("--sizes {}", fmt::join(options->sizes, ",")));
         if (!options->nodes.empty()) add(fmt::format("--nodes {}", fmt::join(options->nodes, ",")));
+        if (!options->reading.empty()) add(fmt::format("--reading {}", fmt::join(options->reading, ",")));
         if (options->check != "200k") add("--check " + options->check);
         exit_code = run(*options, command);
     });

@@ -86,6 +86,32 @@ TEST(Check, AnUnreadableFileIsADeckError) {
     EXPECT_EQ(test::type21("check " + test::in_quotes(folder / "noise_0000.rad")).code, 2);
 }
 
+/// One judgement for both: a free blank, a moment on single nodes.
+TEST(Check, RefusesWhatARunWouldRefuse) {
+    const std::pair<std::string, std::string> changes[] = {
+        {"   111 111         0         1\n", "   110 111         0         1\n"},
+        {"/BCS/1\n", "/CLOAD/1\nmoment\n         1        XX         0         0         1\n/BCS/1\n"}};
+    for (const auto& [from, to] : changes) {
+        const DeckCopy deck("flat_press");
+        deck.replace(deck.starter, from, to);
+        const Outcome check = test::type21("check " + test::in_quotes(deck.starter));
+        const Outcome run =
+            test::type21("run " + test::in_quotes(deck.starter) + " --out " + test::in_quotes(deck.out()));
+        EXPECT_EQ(check.code, 2) << to << check.err;
+        EXPECT_EQ(run.code, 2) << to << run.err;
+        EXPECT_EQ(check.err, run.err) << to;
+    }
+}
+
+TEST(Check, NothingOfADeckSteersTheTerminal) {
+    const DeckCopy deck("flat_press");
+    deck.replace(deck.starter, "/TITLE\n", "/TITLE\n\x1b]0;x\x07\x1b[2J\x1b[31m");
+    const Outcome outcome = test::type21("check " + test::in_quotes(deck.starter));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ((outcome.out + outcome.err).find('\x1b'), std::string::npos);
+    EXPECT_NE(outcome.out.find("\\x1b[31m"), std::string::npos);
+}
+
 TEST(Check, AReportThatCannotBeWrittenIsAUsageError) {
     const auto deck = test::cases() / "flat_press/flat_press_0000.rad";
     EXPECT_EQ(test::type21("check " + test::in_quotes(deck) + " --json /proc/no/such.json").code, 1);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,14 @@ inline const Problem* find_rule(const Problems& problems, std::string_view words
         if (problem.rule.find(words) != std::string::npos) return &problem;
     }
     return nullptr;
+}
+
+/// The keyword lines of these cards.
+inline std::vector<std::string> keywords_of(const std::vector<Card>& cards) {
+    std::vector<std::string> names;
+    for (const Card& card : cards)
+        names.push_back(card.keyword);
+    return names;
 }
 
 /// The text with its one piece `from` replaced; a test that replaces nothing tests nothing.

@@ -15,7 +15,7 @@ using test::all_of;
 using test::TempFolder;
 using namespace std::string_literals;
 
-const std::vector<std::pair<std::string, std::string>> files{
+const std::vector<std::pair<std::string, std::string>> foreign_files{
     {"$# LS-DYNA Keyword file created by a tool\n*KEYWORD\n*TITLE\nx\n", "LS-DYNA"},
     {"*NODE\n$ id x y z\n       1             0.0             0.0             0.0\n", "LS-DYNA"},
     {"*Heading\n** Job name\n*Node\n1, 0., 0., 0.\n", "Abaqus"},
@@ -57,7 +57,7 @@ const std::vector<std::pair<std::string, std::string>> files{
 };
 
 TEST(ForeignFiles, AreNamedForWhatTheyAreInOneError) {
-    for (const auto& [bytes, name] : files) {
+    for (const auto& [bytes, name] : foreign_files) {
         const TempFolder folder;
         Problems problems;
         const Deck deck = read_deck(folder.write("x_0000.rad", bytes), problems);

@@ -15,17 +15,11 @@ namespace {
 
 using test::all_of;
 using test::find_rule;
+using test::keywords_of;
 using test::TempFolder;
 
-Deck read(const TempFolder& folder, std::string_view text, Problems& problems) {
+Deck read_scene(const TempFolder& folder, std::string_view text, Problems& problems) {
     return read_deck(folder.write("scene_0000.rad", text), problems);
-}
-
-std::vector<std::string> keywords(const std::vector<Card>& cards) {
-    std::vector<std::string> names;
-    for (const Card& card : cards)
-        names.push_back(card.keyword);
-    return names;
 }
 
 using Names = std::vector<std::string>;
@@ -35,18 +29,19 @@ TEST(Includes, EndOfAnIncludeEndsThatFileAlone) {
     folder.write("mesh.inc", "/NODE\n/END\n/PART/9\n");
     folder.write("outer.inc", "#include mesh.inc\n/PART/2\n/END\n/PART/8\n");
     Problems problems;
-    const Deck deck = read(folder, "/BEGIN\n#include mesh.inc\n/PART/1\n#include outer.inc\n/PART/3\n/END\n", problems);
+    const Deck deck =
+        read_scene(folder, "/BEGIN\n#include mesh.inc\n/PART/1\n#include outer.inc\n/PART/3\n/END\n", problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "/NODE", "/PART/1", "/NODE", "/PART/2", "/PART/3"}));
+    EXPECT_EQ(keywords_of(deck.starter), (Names{"/BEGIN", "/NODE", "/PART/1", "/NODE", "/PART/2", "/PART/3"}));
 }
 
 TEST(Includes, BeginOfAnIncludeIsNotRead) {
     const TempFolder folder;
     folder.write("mesh.inc", "#RADIOSS STARTER\n/BEGIN\nmesh\n      2025\n  Mg\n  Mg\n/NODE\n         1\n/END\n");
     Problems problems;
-    const Deck deck = read(folder, "/BEGIN\nmain\n#include mesh.inc\n/PART/1\n/END\n", problems);
+    const Deck deck = read_scene(folder, "/BEGIN\nmain\n#include mesh.inc\n/PART/1\n/END\n", problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "/NODE", "/PART/1"}));
+    EXPECT_EQ(keywords_of(deck.starter), (Names{"/BEGIN", "/NODE", "/PART/1"}));
     EXPECT_EQ(deck.starter[0].lines.size(), 1U) << "the lines of the other /BEGIN go nowhere";
     EXPECT_EQ(deck.starter[1].lines.size(), 1U);
     ASSERT_EQ(deck.unread.size(), 1U);
@@ -57,10 +52,10 @@ TEST(Includes, BeginWithinASubmodelIsRead) {
     const TempFolder folder;
     folder.write("dummy.inc", "/BEGIN\ndummy\n/NODE\n");
     Problems problems;
-    const Deck deck =
-        read(folder, "/BEGIN\n//SUBMODEL/1\nt\n#include dummy.inc\n//ENDSUB\n#include dummy.inc\n/END\n", problems);
+    const Deck deck = read_scene(
+        folder, "/BEGIN\n//SUBMODEL/1\nt\n#include dummy.inc\n//ENDSUB\n#include dummy.inc\n/END\n", problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "//SUBMODEL/1", "/BEGIN", "/NODE", "//ENDSUB", "/NODE"}));
+    EXPECT_EQ(keywords_of(deck.starter), (Names{"/BEGIN", "//SUBMODEL/1", "/BEGIN", "/NODE", "//ENDSUB", "/NODE"}));
     EXPECT_EQ(deck.unread.size(), 1U);
 }
 
@@ -70,12 +65,14 @@ TEST(Includes, EnddataEndsTheFileItStandsIn) {
     folder.write("upper.inc", "/PART/1\n#ENDDATA  old parts\n/PART/2\n");
     folder.write("comment.inc", "/PART/3\n#enddatabase\n/PART/4\n");
     Problems problems;
-    const Deck deck = read(folder,
-                           "/BEGIN\n#include contact.inc\n#include upper.inc\n#include comment.inc\n/PART/5\n#enddata\n"
-                           "/PART/6\n/END\n",
-                           problems);
+    const Deck deck =
+        read_scene(folder,
+                   "/BEGIN\n#include contact.inc\n#include upper.inc\n#include comment.inc\n/PART/5\n#enddata\n"
+                   "/PART/6\n/END\n",
+                   problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "/INTER/TYPE21/1", "/PART/1", "/PART/3", "/PART/4", "/PART/5"}));
+    EXPECT_EQ(keywords_of(deck.starter),
+              (Names{"/BEGIN", "/INTER/TYPE21/1", "/PART/1", "/PART/3", "/PART/4", "/PART/5"}));
 }
 
 TEST(Includes, AreLookedForBesideTheIncludingFileThenBesideTheMainDeck) {
@@ -84,9 +81,9 @@ TEST(Includes, AreLookedForBesideTheIncludingFileThenBesideTheMainDeck) {
     folder.write("sets/inner.inc", "/PART/1\n");
     folder.write("common.inc", "/PART/2\n");
     Problems problems;
-    const Deck deck = read(folder, "/BEGIN\n#include sets/outer.inc\n/END\n", problems);
+    const Deck deck = read_scene(folder, "/BEGIN\n#include sets/outer.inc\n/END\n", problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "/PART/1", "/PART/2"}));
+    EXPECT_EQ(keywords_of(deck.starter), (Names{"/BEGIN", "/PART/1", "/PART/2"}));
 }
 
 TEST(Includes, AreLookedForInTheWorkingDirectoryLast) {
@@ -101,8 +98,8 @@ TEST(Includes, TwoFilesOfOneNameAreAWarning) {
     folder.write("sets/common.inc", "/PART/1\n");
     folder.write("common.inc", "/PART/2\n");
     Problems problems;
-    const Deck deck = read(folder, "/BEGIN\n#include sets/outer.inc\n/END\n", problems);
-    EXPECT_EQ(keywords(deck.starter), (Names{"/BEGIN", "/PART/1"}));
+    const Deck deck = read_scene(folder, "/BEGIN\n#include sets/outer.inc\n/END\n", problems);
+    EXPECT_EQ(keywords_of(deck.starter), (Names{"/BEGIN", "/PART/1"}));
     const Problem* warning = find_rule(problems, "two files have this name");
     ASSERT_NE(warning, nullptr) << all_of(problems);
     EXPECT_EQ(warning->severity, Severity::warning);
@@ -123,7 +120,7 @@ TEST(Includes, QuotesBackslashesCaseAndCommentsBehindTheName) {
     const TempFolder folder;
     folder.write("sub/a.inc", "/PART/1\n");
     Problems problems;
-    const Deck deck = read(folder, "#INCLUDE sub\\a.inc   # the mesh\n#include sub/a.inc $\n/END\n", problems);
+    const Deck deck = read_scene(folder, "#INCLUDE sub\\a.inc   # the mesh\n#include sub/a.inc $\n/END\n", problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
     EXPECT_EQ(deck.starter.size(), 2U);
 }
@@ -134,7 +131,7 @@ TEST(Includes, WithoutANameOrOfASpecialFileAreErrors) {
                              "#include /dev/zero", "#include \"\\x\""}) {
         const TempFolder folder;
         Problems problems;
-        read(folder, std::string("/BEGIN\n") + line + "\n/END\n", problems);
+        read_scene(folder, std::string("/BEGIN\n") + line + "\n/END\n", problems);
         ASSERT_EQ(problems.error_count(), 1) << line << '\n' << all_of(problems);
         EXPECT_EQ(problems.list()[0].card, "#include") << line;
         EXPECT_EQ(problems.list()[0].place.line, 2) << line;
@@ -145,7 +142,7 @@ TEST(Includes, OfAPipeNeverWaits) {
     const TempFolder folder;
     ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
     Problems problems;
-    read(folder, "/BEGIN\n#include pipe\n/END\n", problems);
+    read_scene(folder, "/BEGIN\n#include pipe\n/END\n", problems);
     EXPECT_NE(find_rule(problems, "not an ordinary file"), nullptr) << all_of(problems);
 }
 
@@ -154,7 +151,7 @@ TEST(Includes, ANameThatDiffersInCaseIsNamed) {
     folder.write("Mesh.inc", "/PART/1\n");
     if (std::filesystem::exists(folder.path("MESH.INC"))) GTEST_SKIP() << "this disk knows no case";
     Problems problems;
-    read(folder, "/BEGIN\n#include MESH.INC\n/END\n", problems);
+    read_scene(folder, "/BEGIN\n#include MESH.INC\n/END\n", problems);
     ASSERT_EQ(problems.error_count(), 1) << all_of(problems);
     EXPECT_NE(problems.list()[0].remedy.find("'Mesh.inc'"), std::string::npos) << all_of(problems);
 }
@@ -162,7 +159,7 @@ TEST(Includes, ANameThatDiffersInCaseIsNamed) {
 TEST(Includes, AVeryLongNameIsAnErrorOfBoundedLength) {
     const TempFolder folder;
     Problems problems;
-    read(folder, "/BEGIN\n#include " + std::string(90000, 'x') + "\n/END\n", problems);
+    read_scene(folder, "/BEGIN\n#include " + std::string(90000, 'x') + "\n/END\n", problems);
     ASSERT_EQ(problems.error_count(), 1);
     EXPECT_LT(to_text(problems.list()[0]).size(), 1000U);
 }

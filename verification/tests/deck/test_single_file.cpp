@@ -11,19 +11,12 @@ namespace {
 
 using test::all_of;
 using test::find_rule;
+using test::keywords_of;
 using test::TempFolder;
 
-std::vector<std::string> keywords(const std::vector<Card>& cards) {
-    std::vector<std::string> names;
-    for (const Card& card : cards)
-        names.push_back(card.keyword);
-    return names;
-}
 
-using Names = std::vector<std::string>;
-
-const Names starter_cards{"/BEGIN", "/PART/1"};
-const Names engine_cards{"/VERS/2025", "/RUN/one/1"};
+const std::vector<std::string> starter_cards{"/BEGIN", "/PART/1"};
+const std::vector<std::string> engine_cards{"/VERS/2025", "/RUN/one/1"};
 
 void expect_both(const std::string& text) {
     const TempFolder folder;
@@ -31,8 +24,8 @@ void expect_both(const std::string& text) {
     const Deck deck = read_deck(folder.write("one_0000.rad", text), problems);
     EXPECT_TRUE(problems.list().empty()) << text << all_of(problems);
     EXPECT_TRUE(deck.has_engine) << text;
-    EXPECT_EQ(keywords(deck.starter), starter_cards) << text;
-    EXPECT_EQ(keywords(deck.engine), engine_cards) << text;
+    EXPECT_EQ(keywords_of(deck.starter), starter_cards) << text;
+    EXPECT_EQ(keywords_of(deck.engine), engine_cards) << text;
 }
 
 TEST(SingleFile, TheEngineInputFirst) {
@@ -69,7 +62,7 @@ TEST(SingleFile, TheEngineDeckBesideIsNotReadThen) {
     folder.write("one_0001.rad", "/RUN/other/1\n9\n");
     Problems problems;
     const Deck deck = read_deck(folder.write("one_0000.rad", "/RUN/one/1\n1\n/END/ENGINE\n/BEGIN\n/END\n"), problems);
-    EXPECT_EQ(keywords(deck.engine), (Names{"/RUN/one/1"}));
+    EXPECT_EQ(keywords_of(deck.engine), (std::vector<std::string>{"/RUN/one/1"}));
     EXPECT_FALSE(problems.has_errors());
     EXPECT_NE(find_rule(problems, "holds the engine input, too"), nullptr) << all_of(problems);
 }
@@ -87,7 +80,7 @@ TEST(SingleFile, EndEngineEndsAnEngineDeck) {
     Problems problems;
     const Deck deck = read_deck(folder.write("one_0000.rad", "/BEGIN\n/END\n"), problems);
     EXPECT_TRUE(problems.list().empty()) << all_of(problems);
-    EXPECT_EQ(keywords(deck.engine), (Names{"/RUN/one/1"}));
+    EXPECT_EQ(keywords_of(deck.engine), (std::vector<std::string>{"/RUN/one/1"}));
 }
 
 }  // namespace

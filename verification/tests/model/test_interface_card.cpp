@@ -265,6 +265,31 @@ INSTANTIATE_TEST_SUITE_P(Fields, VersionOfField,
                                          Since{"Dcond", "2.0", 2021, 2020}),
                          [](const auto& parameter) { return std::string(parameter.param.field); });
 
+TEST(InterfaceVersion, ZeroOrTheDefaultOfAnAbsentFieldIsSilent) {
+    for (const char* text : {"0", "0.0"}) {
+        for (const char* field :
+             {"Idel", "Invn", "ITlim", "Pskid", "AscaleF", "fric_ID", "Ithe_form", "Fheat", "Fcond"}) {
+            Model model = blank_over_tool();
+            model.version = 130;
+            Problems problems;
+            resolve_fields(model, {{field, text}}, problems);
+            EXPECT_TRUE(problems.list().empty()) << field << " " << to_text(problems.list().front());
+        }
+    }
+    for (const Fields& fields : {Fields{{"AscaleF", "1.0"}}, Fields{{"Pskid", "1e30"}}}) {
+        Model model = blank_over_tool();
+        model.version = 130;
+        Problems problems;
+        resolve_fields(model, fields, problems);
+        EXPECT_TRUE(problems.list().empty());
+    }
+    Model model = blank_over_tool();
+    model.version = 130;
+    Problems problems;
+    resolve_fields(model, {{"Fheat", "0x1"}}, problems);
+    EXPECT_EQ(problems.error_count(), 1) << "what is no number is an error, read or not";
+}
+
 TEST(InterfaceVersion, AnAbsentFieldIsZeroOrItsDefault) {
     Model model = blank_over_tool();
     model.version = 130;

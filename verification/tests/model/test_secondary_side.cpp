@@ -332,5 +332,26 @@ TEST(Depth, LargerThanTheMeshIsNamedWithBothNumbers) {
     EXPECT_TRUE(none.list().empty());
 }
 
+/// DEPTH is raised to the gap, so a gap longer than an edge is the cause, and the field that makes it so is named.
+TEST(Depth, AGapLongerThanTheMeshIsNamedByWhatMakesIt) {
+    const auto blamed = [](const Fields& fields) {
+        Problems problems;
+        with(fields, blank_over_tool(), problems);
+        EXPECT_EQ(problems.list().size(), 1u);
+        return problems.list().empty() ? Problem{} : problems.list()[0];
+    };
+    const Problem gapmin = blamed({{"Gapmin", "12.0"}, {"DEPTH", "2.5"}});
+    EXPECT_EQ(gapmin.field, "Gapmin");
+    EXPECT_EQ(gapmin.value, "12 mm");
+    EXPECT_NE(gapmin.remedy.find("smaller Gapmin"), std::string::npos);
+    EXPECT_EQ(blamed({{"Igap", "1"}, {"Gapmin", "12.0"}}).field, "Gapmin");
+    const Problem scaled = blamed({{"Igap", "1"}, {"Fscalegap", "20.0"}});
+    EXPECT_EQ(scaled.field, "Fscalegap");
+    EXPECT_NE(scaled.remedy.find("Gapmax"), std::string::npos);
+    Problems none;
+    with({{"Igap", "1"}, {"Fscalegap", "20.0"}, {"Gapmax", "9.0"}}, blank_over_tool(), none);
+    EXPECT_TRUE(none.list().empty());
+}
+
 }  // namespace
 }  // namespace type21::test

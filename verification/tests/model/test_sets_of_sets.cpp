@@ -38,6 +38,16 @@ TEST(SetsOfSets, ALongCycleIsAnErrorOfEverySetInIt) {
     EXPECT_LE(r.problems.list().size(), 501U) << "the number of messages is bounded";
 }
 
+TEST(SetsOfSets, SetsThatDoubleAtEveryLinkEnd) {
+    std::string cards;
+    for (int i = 0; i < 60; ++i) {
+        const std::string next = i + 1 < 60 ? fmt::format("{}", 101 + i) : "2";
+        cards += fmt::format("/SURF/SURF/{}\nlink\n", 100 + i) + ints({next, next});
+    }
+    const Resolved r = resolved(with_cards(cards));
+    EXPECT_NE(find_rule(r.problems, "one way or another"), nullptr) << all_of(r.problems);
+}
+
 TEST(SetsOfSets, OneSetOfManyListsEachNodeOnce) {
     std::string cards = "/GRNOD/GRNOD/50\nall\n";
     for (int i = 0; i < 500; ++i)
