@@ -65,6 +65,35 @@ TEST(Run, WritesHistoriesAndRunJson) {
         << outcome.err;  // ten of progress, and what the reader warns about
 }
 
+// @manual field Bumult
+TEST(Run, TheSortedSearchGivesTheHistoriesOfTheTreeAndSaysWhatItDid) {
+    const DeckCopy tree("cylinder_slide"), sorted("cylinder_slide");
+    ASSERT_EQ(test::type21(run_line(tree, "--quiet --with optimized --search tree")).code, 0);
+    const Outcome outcome = test::type21(run_line(sorted, "--with optimized --search sorted"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* file : {"interface_1.csv", "nodes.csv", "rbody.csv"})
+        EXPECT_EQ(test::read_text(fs::path(tree.out()) / file), test::read_text(fs::path(sorted.out()) / file)) << file;
+    EXPECT_NE(outcome.out.find("margin 0.6256 mm (Bumult 0.2), sorted in 6 of 400 cycles"), std::string::npos);
+    const auto search = run_json(sorted)["results"][0]["sorted_search"];
+    EXPECT_EQ(search["bumult"], 0.2);
+    EXPECT_EQ(search["cycles"], 400);
+    EXPECT_EQ(search["sorts"], 6);
+    EXPECT_GT(search["bytes"], 0);
+    EXPECT_GT(search["candidates_per_node"], search["boxes_per_node"]);
+    EXPECT_FALSE(run_json(tree)["results"][0].contains("sorted_search"));
+}
+
+TEST(Run, TheReferenceHasNoChoiceOfSearch) {
+    const DeckCopy deck("flat_press");
+    for (const char* with : {"", "--with reference "}) {
+        const Outcome outcome = test::type21(run_line(deck, std::string(with) + "--search sorted"));
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_NE(outcome.err.find("--search sorted: the reference has one search only"), std::string::npos)
+            << outcome.err;
+        EXPECT_FALSE(fs::exists(deck.out()));
+    }
+}
+
 TEST(Run, QuietIsQuiet) {
     const DeckCopy deck("flat_press");
     const Outcome outcome = test::type21(run_line(deck, "--quiet"));

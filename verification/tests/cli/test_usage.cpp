@@ -55,6 +55,7 @@ TEST(Usage, AWrongCommandLineIsExitOneWithAWord) {
     for (const std::string& arguments :
          {std::string("chek x.rad"), std::string("--wrong"), std::string("check"), "check " + deck + " --wrong",
           "check " + deck + " extra", "run " + deck, "run " + deck + " --out x --with magic",
+          "run " + deck + " --out x --with optimized --search magic", std::string("fuzz --count 1 --search sorted"),
           "run " + deck + " --out x --as-built D99", "check " + deck + " --as-built nonsense", std::string("compare"),
           "compare " + empty, "compare /no/such/folder " + empty, "compare " + empty + " " + empty + " --tolerance -1",
           "compare " + empty + " " + empty + " --tolerance x", std::string("verify --jobs 0")}) {

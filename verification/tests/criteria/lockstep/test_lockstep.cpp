@@ -21,8 +21,8 @@ std::vector<Case> all_cases() {
     return cases;
 }
 
-void expect_all_the_same(const std::string& as_built) {
-    const auto records = lockstep_decks(lockstep_targets(all_cases(), as_built), {2, {}, {}});
+void expect_all_the_same(const std::string& as_built, const std::string& search = "") {
+    const auto records = lockstep_decks(lockstep_targets(all_cases(), as_built), {2, {}, {}, search});
     LockstepResult all;
     for (const LockstepRecord& record : records) {
         if (record.refused) continue;
@@ -40,6 +40,14 @@ TEST(Lockstep, AllCasesAsDocumented) {
 
 TEST(Lockstep, AllCasesAsBuilt) {
     expect_all_the_same("all");
+}
+
+TEST(Lockstep, AllCasesWithTheSortedSearch) {
+    expect_all_the_same("none", "sorted");
+}
+
+TEST(Lockstep, AllCasesAsBuiltWithTheSortedSearch) {
+    expect_all_the_same("all", "sorted");
 }
 
 /// The reference, spoilt after each step.

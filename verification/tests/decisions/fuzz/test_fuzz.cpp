@@ -27,6 +27,23 @@ TEST(Fuzz, the_reference_is_right_in_every_family) {
     }
 }
 
+// The same questions, but the segments come from a search that looks from another place.
+TEST(Fuzz, both_searches_are_right_in_every_family) {
+    for (const char* method : {"optimized-tree", "optimized-sorted"}) {
+        FuzzOptions options;
+        options.method = method_named(method);
+        EXPECT_EQ(name(options.method), method);
+        options.count = 160;
+        options.seed = 33;
+        options.jobs = 2;
+        for (const QuestionFamily& family : question_families()) {
+            const FuzzTally tally = fuzz(family, options, quiet);
+            EXPECT_EQ(tally.different, 0) << to_text({tally}, options);
+            EXPECT_GT(tally.contact, 8) << family.name;
+        }
+    }
+}
+
 TEST(Fuzz, finds_what_plain_double_gets_wrong) {
     FuzzOptions options;
     options.count = 640;
