@@ -112,7 +112,7 @@ VtuGrid ContactGrid::blank(const CycleRecord& record) const {
             i < contacts.size() && contacts[i].decision.kind == Kind::contact ? contacts[i] : NodeContact{};
         arrays.segment.push_back(node.decision.segment + 1);
         arrays.status.push_back(static_cast<int>(node.status));
-        arrays.gap.push_back(node.gap);
+        arrays.gap.push_back(i < contacts.size() ? contacts[i].gap : side.gap[i]);
         arrays.penetration.push_back(node.penetration);
         add_to(arrays.normal, node.normal);
         add_to(arrays.force, node.force);

@@ -10,12 +10,12 @@ namespace type21 {
 
 /// Follows one interface over all cycles: slip is a sum over them.
 ///
-/// Arrays of the blank, one value a node of the secondary surface; all but NODE_ID and slip are 0 while the node is
-/// open:
+/// Arrays of the blank, one value a node of the secondary surface; all but NODE_ID, gap and slip are 0 while the node
+/// is open:
 ///   NODE_ID           id of the node
 ///   SEGMENT_ID        number of the main segment of its impact, from 1
 ///   status            0 open, 1 stick, 2 slip
-///   gap               g [length]
+///   gap               g, of open nodes too; that of time 0 while the interface does not act [length]
 ///   penetration       p = max(0, p_g - P0) [length]
 ///   normal            nu, outward of the tool [-]
 ///   contact_force     on the node: F_n nu - F_t [force]

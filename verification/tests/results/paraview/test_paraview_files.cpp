@@ -122,7 +122,10 @@ struct Touching : test::RecordScene {
         contact.relative_velocity = Vec3(3, 4, 100);
         contact.friction = Vec3(1, 0, 0);
         contact.force = Vec3(-1, 0, 8);
-        cycle.contacts[0].nodes = {contact, {}};
+        NodeContact open;
+        open.gap = 0.25;
+        cycle.contacts[0].nodes = {contact, open};
+        interface.secondary.gap = {0.375, 0.625};
     }
     test::Cycle cycle;
 };
@@ -147,6 +150,7 @@ TEST(ContactGrid, TheBlankHasWhatTheContactSays) {
     EXPECT_EQ(values<std::int64_t>(blank.point_arrays, "NODE_ID"), (Whole{7, 9}));
     EXPECT_EQ(values<std::int64_t>(blank.point_arrays, "SEGMENT_ID"), (Whole{1, 0}));
     EXPECT_EQ(values<std::int64_t>(blank.point_arrays, "status"), (Whole{2, 0}));
+    EXPECT_EQ(values<double>(blank.point_arrays, "gap"), (Numbers{0.5, 0.25})) << "of the open node, too";
     EXPECT_EQ(values<double>(blank.point_arrays, "penetration"), (Numbers{0.125, 0}));
     EXPECT_EQ(values<double>(blank.point_arrays, "contact_pressure"), (Numbers{4, 0}));
     EXPECT_EQ(values<double>(blank.point_arrays, "contact_force"), (Numbers{-1, 0, 8, 0, 0, 0}));
@@ -187,7 +191,7 @@ TEST(ContactGrid, ANodeThatIsOnlyNearIsOpen) {
     EXPECT_EQ(values<std::int64_t>(grid.blank(record).point_arrays, "SEGMENT_ID"), (Whole{0, 0}));
     EXPECT_EQ(values<double>(grid.blank(record).point_arrays, "contact_force"), (Numbers{0, 0, 0, 0, 0, 0}));
     scene.cycle.contacts[0].nodes.clear();  // an interface that does not act
-    EXPECT_EQ(values<double>(grid.blank(record).point_arrays, "gap"), (Numbers{0, 0}));
+    EXPECT_EQ(values<double>(grid.blank(record).point_arrays, "gap"), (Numbers{0.375, 0.625})) << "those of time 0";
     EXPECT_EQ(values<std::int64_t>(grid.tool(record).cell_arrays, "nodes_in_contact"), Whole{0});
 }
 
