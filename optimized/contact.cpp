@@ -215,6 +215,20 @@ std::vector<EffectMemory> Contact::memory_by_effect() const {
     return memory;
 }
 
+void Contact::save(StateWriter& out) const {
+    State::visit(out, *state_);
+    NodeData::visit(out, state_->nodes);
+}
+
+void Contact::restore(StateReader& in) {
+    State& state = *state_;
+    const double reach = state.largest_reach;
+    State::visit(in, state);
+    // A new search makes the nodes forget where to look, so it comes before their memory is read.
+    if (state.largest_reach != reach) state.new_search();
+    NodeData::visit(in, state.nodes);
+}
+
 PathCounts Contact::paths() const {
     return state_->counts;
 }

@@ -22,6 +22,12 @@ struct LeanStep {
 /// Counts of how decisions were reached since the start.
 struct PathCounts : PathTally {
     long nodes = 0;  ///< of all cycles
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        PathTally::visit_state(archive);
+        archive(nodes);
+    }
 };
 
 /// What there is to choose beside the scene. No choice changes a decision or a force.
@@ -62,6 +68,8 @@ class Contact final : public ContactMethod {
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
     std::vector<EffectMemory> memory_by_effect() const override;
     DecisionStageCounts decision_stage_counts() const override;
+    void save(StateWriter& out) const override;
+    void restore(StateReader& in) override;
 
     PathCounts paths() const;
     /// Empty with the tree.

@@ -70,6 +70,15 @@ struct Contact::State {
     LeanStep lean;
     std::vector<Vec3> lean_force;
     std::vector<double> lean_stiffness;
+
+    /// What the next cycle needs of the past, but for the nodes. Every field is named here: one that is added later
+    /// does not compile until it is decided whether it belongs to a checkpoint.
+    template <class Archive>
+    static void visit(Archive& archive, State& state) {
+        auto& [the_scene, number, the_laws, node, reach, kernel, inertia, has_started, inacti_now, law, storage, chunks,
+               sum, paths, policy, lean_step, force, stiffness] = state;
+        archive(reach, has_started, inacti_now, paths, policy);
+    }
 };
 
 }  // namespace type21::optimized

@@ -45,6 +45,17 @@ struct NodeData {
     double increment_stiffness(size_t i) const {
         return friction_stiffness.empty() || stiffness[i] == 0 ? stiffness[i] : friction_stiffness[i];
     }
+
+    /// What the next cycle needs of the past. Every field is named here: one that is added later does not compile until
+    /// it is decided whether it belongs to a checkpoint. The memory of the search changes no result, but what the
+    /// search counts.
+    template <class Archive>
+    static void visit(Archive& archive, NodeData& data) {
+        auto& [model_node, g, deciding, k, friction_k, m, p0, count, remembered, force, ratio, free] = data;
+        archive(g, deciding, k, p0, count, remembered, ratio, free);
+        for (V3& f : force)
+            archive(f.x, f.y, f.z);
+    }
 };
 
 /// What stays the same over a run, beside the nodes.

@@ -56,6 +56,14 @@ struct Memory {
     bool separated_at(const V3& y) const { return radius > 0 && within(y); }
     void forget() { radius = contact_safe = 0; }
 
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        auto& [at, around, safe, id] = *this;
+        int code = id.code();
+        archive(at.x, at.y, at.z, around, safe, code);
+        id = SubTriangleId::from_code(code);
+    }
+
   private:
     bool within(const V3& y, double distance) const {
         const V3 way = y - center;

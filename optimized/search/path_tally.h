@@ -27,6 +27,12 @@ struct PathTally {
         candidates += other.candidates;
         near += other.near;
     }
+
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        auto& [region, ranking, neighbour, apart, by_search, by_double_double, by_integer] = *this;
+        archive(region, ranking, neighbour, apart, by_search, by_double_double, by_integer);
+    }
 };
 
 }  // namespace type21::optimized

@@ -44,6 +44,10 @@ class ExclusiveRegionPolicy {
         pays_ = pays_ || (mean_ > 0.06 && sub_triangles < 4 * nodes);
     }
     bool pays() const { return pays_; }
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(mean_, pays_);
+    }
 
   private:
     double mean_ = -1;

@@ -39,6 +39,11 @@ class Friction {
     const Vec3& remembered(int i) const { return force_[static_cast<size_t>(i)]; }
     /// The node has left: its friction force is dropped.  Formulation 6, step 5.
     void forget(int i) { force_[static_cast<size_t>(i)].setZero(); }
+    /// What a checkpoint holds; @see StateWriter
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(force_);
+    }
 
     static constexpr size_t bytes_per_node() { return sizeof(Vec3) + sizeof(int); }
 

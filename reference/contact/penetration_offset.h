@@ -12,6 +12,12 @@ struct PenetrationHistory {
     int cycles = 0;     ///< consecutive cycles retained in contact with p_g > 0
 };
 
+template <class Archive>
+void visit_state(Archive& archive, PenetrationHistory& history) {
+    auto& [offset, cycles] = history;
+    archive(offset, cycles);
+}
+
 /// P0 at time 0: Inacti 5 forgives the whole penetration, 6 a little more, all others nothing.
 ///   5: P0 = p_g      6: P0 = p_g + 0.05 (g + DEPTH - p_g)
 /// @param penetration  p_g at time 0 [length]

@@ -21,6 +21,11 @@ class Release {
         released = 1;
         return true;
     }
+    /// What a checkpoint holds; @see StateWriter
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(released_);
+    }
 
     static constexpr size_t bytes_per_node() { return sizeof(char); }
 

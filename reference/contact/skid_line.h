@@ -32,6 +32,11 @@ class SkidLine {
     }
     /// The envelope of node i so far [-].
     double largest(int i) const { return largest_[static_cast<size_t>(i)]; }
+    /// What a checkpoint holds; @see StateWriter
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(largest_);
+    }
 
     static constexpr size_t bytes_per_node() { return sizeof(double); }
 

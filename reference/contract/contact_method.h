@@ -2,12 +2,14 @@
 /// implementation, and any other, are used through it alone.
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include "contact_step.h"
 #include "decision_stage_counts.h"
 #include "motion.h"
 #include "scene.h"
+#include "state_stream.h"
 
 namespace type21 {
 
@@ -79,6 +81,17 @@ class ContactMethod {
 
     /// Which arithmetic settled how many decisions since the object was made.  Formulation 10, step 6.
     virtual DecisionStageCounts decision_stage_counts() const = 0;
+
+    /// Writes what the next cycle needs of the past: the histories and the counts. Where a search only remembers where
+    /// to look first, it may leave that out. To be called between two cycles.
+    /// @throws std::logic_error in an implementation that cannot be saved, which is what this one does
+    virtual void save(StateWriter&) const { throw std::logic_error("this contact cannot be saved"); }
+
+    /// Takes over what save() of the same implementation wrote for the same scene and interface. Every cycle that
+    /// follows has then the same bits as if it had followed there. Call it before the first step; after an exception
+    /// the contact is not to be used.
+    /// @throws StateError when the state is not one of this contact
+    virtual void restore(StateReader&) { throw std::logic_error("this contact cannot be restored"); }
 };
 
 }  // namespace type21

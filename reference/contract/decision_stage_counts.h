@@ -26,4 +26,12 @@ struct DecisionStageCounts {
     }
 };
 
+template <class Archive>
+void visit_state(Archive& archive, DecisionStageCounts& counts) {
+    auto& [nothing_near, settled, double_wrong, seconds] = counts;
+    archive(nothing_near, double_wrong);
+    for (size_t i = 0; i < settled.size(); ++i)
+        archive(settled[i], seconds[i]);
+}
+
 }  // namespace type21

@@ -162,6 +162,15 @@ DecisionStageCounts Contact::decision_stage_counts() const {
     return state_->stage_counts;
 }
 
+void Contact::save(StateWriter& out) const {
+    State::visit(out, *state_);
+}
+
+void Contact::restore(StateReader& in) {
+    State::visit(in, *state_);
+    state_->restore_reach();
+}
+
 std::vector<InitialPenetration> Contact::initial_penetrations() const {
     return initial_penetrations(state_->model->nodes.position);
 }

@@ -25,6 +25,8 @@ class Contact final : public ContactMethod {
     std::vector<InitialPenetration> initial_penetrations(const std::vector<Vec3>& position) const override;
     std::vector<EffectMemory> memory_by_effect() const override;
     DecisionStageCounts decision_stage_counts() const override;
+    void save(StateWriter& out) const override;
+    void restore(StateReader& in) override;
     /// The same in the positions of the model.
     std::vector<InitialPenetration> initial_penetrations() const;
 

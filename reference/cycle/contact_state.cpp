@@ -100,6 +100,10 @@ void Contact::State::update_gaps(const Motion& motion, ContactStep& step) {
     candidates = Candidates(surface, reach);
 }
 
+void Contact::State::restore_reach() {
+    if (reach > farthest_reach(card(), proximity)) candidates = Candidates(surface, reach);
+}
+
 int Contact::State::part_of_segment(int segment) const {
     const Segment& main =
         model->surfaces[static_cast<size_t>(card().main_surface)].segments[static_cast<size_t>(segment)];

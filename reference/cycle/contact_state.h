@@ -32,6 +32,12 @@ struct NodeConstants {
     double mass = 0;                ///< m [mass]
 };
 
+template <class Archive>
+void visit_state(Archive& archive, NodeConstants& node) {
+    auto& [gap, search_gap, stiffness, friction_stiffness, mass] = node;
+    archive(gap, search_gap, stiffness, friction_stiffness, mass);
+}
+
 /// The retained impact of a node with its geometry, in the tool frame.
 struct LocatedImpact {
     Decision decision;
@@ -54,6 +60,8 @@ struct Contact::State {
     void start(const Motion& motion);
     /// Gaps of this cycle; the boxes grow when a gap outgrows them.  Formulation 2, step 5.
     void update_gaps(const Motion& motion, ContactStep& step);
+    /// Boxes for the reach that a checkpoint gives.
+    void restore_reach();
 
     // Chapters 3 to 5: locate.cpp
 
@@ -117,6 +125,15 @@ struct Contact::State {
     std::optional<Release> release;
     std::optional<Deletion> deletion;
     std::optional<AdaptiveData> adaptive;
+
+    /// What the next cycle needs of the past. Every field of this struct is named here: one that is added later does
+    /// not compile until it is decided whether it belongs to a checkpoint.
+    template <class Archive>
+    static void visit(Archive& archive, State& state) {
+        auto& [the_scene, the_model, number, laws, node, tool_surface, zone, box_reach, boxes, counts, has_started,
+               inacti_now, offset, growth, friction_force, skid, heat, released, shells, curvature] = state;
+        archive(node, box_reach, counts, has_started, inacti_now, offset, friction_force, skid, released);
+    }
 };
 
 /// The node in the tool frame: y = R^T (x - x_G) [length].  Formulation 1, step 1.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "reference/host/integrate.h"
+#include "reference/host/saved_state.h"
 #include "reference/host/shell_conduction.h"
 #include "reference/host/time_step.h"
 
@@ -178,7 +179,7 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
     for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i)
         contacts.push_back(make_contact(scene, i));
     HostState state(model);
-    move_out_initial_penetrations(scene, contacts, state);
+    if (options.restart == nullptr) move_out_initial_penetrations(scene, contacts, state);
     TimeStep time_step(scene);
     std::vector<InterfaceTotals> totals(contacts.size());
 
@@ -187,10 +188,26 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
             state.thickness.push_back(shell.thickness);
     }
 
+    // All that one cycle leaves to the next: what is added to the march is added here, too.
+    const auto remembered = [&](auto& archive) { archive(state, time_step, totals); };
+    const std::function<void(StateWriter&)> save = [&](StateWriter& out) {
+        remembered(out);
+        for (const auto& contact : contacts)
+            contact->save(out);
+    };
+    if (options.restart != nullptr) {
+        remembered(*options.restart);
+        for (const auto& contact : contacts)
+            contact->restore(*options.restart);
+    }
+    const long first_cycle = state.cycle;
+
     // Two states take turns and the steps are used again, so that no cycle allocates memory of their size.
     HostState next = state;
     std::vector<ContactStep> steps(contacts.size());
     while (state.time <= model.engine.end_time) {
+        if (options.between_cycles && state.cycle > first_cycle)
+            options.between_cycles({state.cycle, state.time, save});
         // Formulation 11, step 2: contact, time step, sums, motion, heat, output.
         state.impose_temperatures(model);
         const Motion motion = state.motion(reading);

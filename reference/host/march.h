@@ -59,22 +59,36 @@ using Observer = std::function<void(const CycleRecord&)>;
 /// reference::make_contact, optimized::make_contact or another.
 using MakeContact = std::function<std::unique_ptr<ContactMethod>(const Scene&, int interface)>;
 
-/// A run that cannot go on: NaN, an infinite or vanishing step, a step below that of /DT, or Invn.
+/// A run that cannot go on: NaN, an infinite or vanishing step, a step below that of /DT, or Invn; or one that was told
+/// not to.
 struct RunStopped : std::runtime_error {
-    enum class Why { diverged, inverted_normal, step_too_small };
+    enum class Why { diverged, inverted_normal, step_too_small, interrupted };
     RunStopped(Why why_, const std::string& message) : std::runtime_error(message), why(why_) {}
     Why why;
+};
+
+/// A moment between two cycles.
+struct BetweenCycles {
+    long next_cycle = 0;                            ///< n of the cycle that follows
+    double time = 0;                                ///< its t_n [time]
+    const std::function<void(StateWriter&)>& save;  ///< writes what the cycles that follow need of those before
 };
 
 /// What a run may be given beside its scene.
 struct MarchOptions {
     const ThicknessHistory* thickness = nullptr;  ///< of the shells over time, for Igap 2 and Idel
+    /// Called after each cycle that another one follows. It may throw RunStopped to end the run there.
+    std::function<void(const BetweenCycles&)> between_cycles{};
+    /// What BetweenCycles::save wrote in a run of the same scene, contacts and thickness: the run goes on there, and
+    /// every later cycle has the same bits. Null: from time 0.
+    StateReader* restart = nullptr;
 };
 
 /// Runs the scene to its end time. observe is called once a cycle, before the next one starts.
 /// @param scene  of a deck that check_runnable() accepts
-/// @throws RunStopped naming node, cycle and time; what was observed so far stays valid. Whatever make_contact or
-/// observe throws is passed on.  Formulation 11, step 2.
+/// @throws RunStopped naming node, cycle and time; what was observed so far stays valid. StateError when the state of
+/// options.restart is not one of this scene. Whatever make_contact, observe or between_cycles throws is passed on.
+/// Formulation 11, step 2.
 void march(const HostScene& scene, const MakeContact& make_contact, const Observer& observe,
            const MarchOptions& options = {});
 

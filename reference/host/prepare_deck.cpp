@@ -30,6 +30,8 @@ PreparedDeck prepare_deck(const std::string& path, const std::string& as_built, 
     Problems& problems = prepared.problems;
     const AsBuilt departures = parse_as_built(as_built, problems);
     Deck deck = read_deck(path, problems);
+    prepared.files = deck.files;
+    if (!thickness.empty()) prepared.files.push_back(thickness);
     const bool readable = !(deck.starter.empty() && problems.has_errors());
     if (readable && needs_engine && !deck.has_engine)
         problems.add({Severity::error,

@@ -15,9 +15,14 @@ struct PreparedDeck {
     Problems problems;
     std::optional<HostScene> scene;
     std::optional<ThicknessHistory> thickness;  ///< of --thickness
+    std::vector<std::string> files;             ///< every file that was read: decks, what they include, thickness
 
     /// For march(); points into this.
-    MarchOptions options() const { return {thickness ? &*thickness : nullptr}; }
+    MarchOptions options() const {
+        MarchOptions options;
+        options.thickness = thickness ? &*thickness : nullptr;
+        return options;
+    }
 };
 
 /// Reads, resolves and checks a deck; throws nothing of its own.

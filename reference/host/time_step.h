@@ -30,6 +30,12 @@ class TimeStep {
     /// Limits of the last call of next().
     const StepLimits& limits() const { return limits_; }
 
+    /// What a checkpoint holds: all that is not of the scene or of the last call.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(reach_);
+    }
+
   private:
     double nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const;
     double kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts);
