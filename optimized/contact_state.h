@@ -72,12 +72,13 @@ struct Contact::State {
     std::vector<double> lean_stiffness;
 
     /// What the next cycle needs of the past, but for the nodes. Every field is named here: one that is added later
-    /// does not compile until it is decided whether it belongs to a checkpoint.
+    /// does not compile until it is decided whether it belongs to a checkpoint. The lists of the sorted search are made
+    /// anew.
     template <class Archive>
     static void visit(Archive& archive, State& state) {
-        auto& [the_scene, number, the_laws, node, reach, kernel, inertia, has_started, inacti_now, law, storage, chunks,
-               sum, paths, policy, lean_step, force, stiffness] = state;
-        archive(reach, has_started, inacti_now, paths, policy);
+        auto& [the_scene, number, choice, the_laws, node, reach, kernel, inertia, has_started, inacti_now, law, storage,
+               candidate_lists, sorted, sorted_cycles, chunks, sum, paths, policy, lean_step, force, stiffness] = state;
+        archive(reach, has_started, inacti_now, sorted, sorted_cycles, paths, policy);
     }
 };
 

@@ -11,6 +11,7 @@
 #include "verification/report/comparison_junit.h"
 #include "verification/results/compare/compare_file.h"
 #include "verification/results/compare/comparison_text.h"
+#include "verification/results/record/run_id.h"
 #include "verification/results/t01/t01_records.h"
 
 namespace type21::cli {
@@ -22,6 +23,7 @@ struct CompareArguments {
     std::string ours, reference, json, junit;
     std::optional<double> tolerance, time_scale, until;
     std::vector<std::string> columns, map, scale;
+    bool unfinished = false;
 };
 
 /// "FNX=Force X" at its first '='.
@@ -105,8 +107,27 @@ FolderComparison folders_compared(const CompareArguments& options, const FolderO
     }
 }
 
+/// Says on stderr why the files of a folder are not those of one run that has reached its end.
+bool is_one_finished_run(const std::string& folder, bool unfinished) {
+    const RunFolderCheck check = check_run_id(folder);
+    for (const std::string& problem : check.problems)
+        fmt::print(stderr, "{}\n", problem);
+    if (!check.is_run || check.finished()) return check.problems.empty();
+    if (unfinished)
+        fmt::print(stderr, "note: {}: the run has not reached its end: it is {}\n", folder, check.status);
+    else
+        fmt::print(stderr,
+                   "{}: the run has not reached its end: it is {}. Give --unfinished to compare what is there\n",
+                   folder, check.status);
+    return check.problems.empty() && unfinished;
+}
+
 int compare(const CompareArguments& options) {
     require_folder(options.ours);
+    bool sound = is_one_finished_run(options.ours, options.unfinished);
+    if (std::error_code error; fs::is_directory(options.reference, error))
+        sound = is_one_finished_run(options.reference, options.unfinished) && sound;
+    if (!sound) return exit_deck;
     if (std::error_code error; fs::exists(options.reference, error) && !fs::is_directory(options.reference, error))
         return compare_with_file(options);
     require_folder(options.reference);
@@ -157,6 +178,8 @@ void add_compare(CLI::App& app, int& exit_code) {
         ->allow_extra_args(false);
     verb->add_option("--time-scale", options->time_scale, "multiply the times of the reference by this");
     verb->add_option("--until", options->until, "compare up to this time [time of the run]");
+    verb->add_flag("--unfinished", options->unfinished,
+                   "compare also a run that stopped or was interrupted before its end");
     verb->add_option("--json", options->json, "also write the output to this JSON file");
     verb->add_option("--junit", options->junit, "also write JUnit XML to this file: one test for each column");
     verb->callback([options, &exit_code] { exit_code = compare(*options); });

@@ -19,14 +19,19 @@ void Progress::operator()(const RunProgress& progress) {
     tenths_ = tenths;
     next_ = now + std::chrono::milliseconds(200);
     line_open_ = terminal_;
-    fmt::print(stderr, "{}{:5.1f} %  cycle {:>8}  time {:.6e} {}  {:.0f} s left{}", terminal_ ? "\r" : "",
-               100 * progress.fraction, progress.cycle, progress.time, time_unit_, progress.time_left,
-               terminal_ ? "   " : "\n");
+    print(fmt::format("{}{:5.1f} %  cycle {:>8}  time {:.6e} {}  {:.0f} s left{}", terminal_ ? "\r" : "",
+                      100 * progress.fraction, progress.cycle, progress.time, time_unit_, progress.time_left,
+                      terminal_ ? "   " : "\n"));
+}
+
+void Progress::print(const std::string& text) {
+    // The run is worth more than its progress: where nobody reads it any more, the run goes on.
+    std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
 }
 
 void Progress::finish() {
-    if (line_open_) fmt::print(stderr, "\n");
+    if (line_open_) print("\n");
     line_open_ = false;
 }
 

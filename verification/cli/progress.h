@@ -17,6 +17,8 @@ class Progress {
     void finish();
 
   private:
+    static void print(const std::string& text);
+
     std::string time_unit_;
     bool terminal_;
     bool line_open_ = false;

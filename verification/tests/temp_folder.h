@@ -49,4 +49,14 @@ inline std::string read_text(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// A file of a result but for the line that says which run wrote it.
+inline std::string without_mark(const std::filesystem::path& path) {
+    std::string text = read_text(path);
+    for (const char* mark : {"# type21 ", "<!-- type21 "}) {
+        const size_t at = text.rfind(mark);
+        if (at != std::string::npos) text.erase(at, text.find('\n', at) + 1 - at);
+    }
+    return text;
+}
+
 }  // namespace type21::test

@@ -15,6 +15,12 @@ struct Residual {
     double time = 0;      ///< [time]
 };
 
+template <class Archive>
+void visit_state(Archive& archive, Residual& residual) {
+    auto& [relative, cycle, time] = residual;
+    archive(relative, cycle, time);
+}
+
 /// With f the force on a node, X its contact point, V + Omega x (X - x_G) the tool's velocity there, v_rel the node's
 /// relative to it:
 ///   force    sum f + (sums.normal + sums.tangential) = 0
@@ -29,6 +35,12 @@ struct InterfaceBalance {
     long cycles_in_contact = 0;  ///< cycles with a force on a node: 0: nothing was checked
 };
 
+template <class Archive>
+void visit_state(Archive& archive, InterfaceBalance& balance) {
+    auto& [force, power, damping_energy, friction_energy, heat, cycles_in_contact] = balance;
+    archive(force, power, damping_energy, friction_energy, heat, cycles_in_contact);
+}
+
 /// The residual that a case calls "force", "power", "CE_DAMP", "CE_FRIC" or "heat"; nullptr for another name.
 const Residual* find_residual(const InterfaceBalance& balance, std::string_view name);
 
@@ -39,11 +51,20 @@ class BalanceObserver {
     void observe(const CycleRecord& record);
     /// Per interface.
     const std::vector<InterfaceBalance>& result() const { return balance_; }
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(balance_, energies_);
+    }
 
   private:
     struct Energies {
         double damping = 0, damping_terms = 0;
         double friction = 0, friction_terms = 0;
+
+        template <class Archive>
+        void visit_state(Archive& archive) {
+            archive(damping, damping_terms, friction, friction_terms);
+        }
     };
 
     void observe_heat(const CycleRecord& record);

@@ -19,6 +19,12 @@ struct ContactCount {
     double deepest_time = 0;  ///< [time]
 };
 
+template <class Archive>
+void visit_state(Archive& archive, ContactCount& count) {
+    auto& [nodes, in_contact, most, cycles, sticking, sliding, deepest, node, time] = count;
+    archive(nodes, in_contact, most, cycles, sticking, sliding, deepest, node, time);
+}
+
 class ContactCounter {
   public:
     explicit ContactCounter(const HostScene& scene);
@@ -26,6 +32,10 @@ class ContactCounter {
     void observe(const CycleRecord& record);
     /// Per interface.
     const std::vector<ContactCount>& result() const { return counts_; }
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(counts_);
+    }
 
   private:
     const Model& model_;

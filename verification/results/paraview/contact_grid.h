@@ -36,6 +36,10 @@ class ContactGrid {
     void add(const CycleRecord& record);
     VtuGrid blank(const CycleRecord& record) const;
     VtuGrid tool(const CycleRecord& record) const;
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(slip_);
+    }
 
   private:
     const Interface& interface() const { return model_.interfaces[static_cast<size_t>(interface_)]; }

@@ -1,22 +1,29 @@
 #include "verification/results/paraview/paraview_files.h"
 
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+
 #include <fmt/format.h>
+
+#include "verification/support/io_error.h"
+#include "verification/support/output_file.h"
 
 namespace type21 {
 namespace fs = std::filesystem;
 
-ParaviewFiles::ParaviewFiles(const HostScene& scene, const fs::path& folder)
-    : folder_(folder / "paraview"), clock_(scene.host->engine.history_interval) {
+ParaviewFiles::ParaviewFiles(const HostScene& scene, const fs::path& folder, const std::string& mark)
+    : folder_(folder / "paraview"), mark_(mark), clock_(scene.host->engine.history_interval) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) throw std::runtime_error(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
+    if (error) throw IoError(folder_, "cannot be created", error.value());
     for (size_t i = 0; i < scene.model->interfaces.size(); ++i) {
         const Id id = scene.model->interfaces[i].id;
         grids_.emplace_back(scene, static_cast<int>(i));
         for (auto& [series, what] :
              {std::pair<std::vector<Series>&, const char*>{blanks_, "blank"}, {tools_, "tool"}}) {
             const std::string name = fmt::format("{}_{}", what, id);
-            series.push_back({name, PvdFile(folder_ / (name + ".pvd"))});
+            series.push_back({name, PvdFile(folder_ / (name + ".pvd"), mark)});
         }
     }
 }
@@ -26,29 +33,41 @@ void ParaviewFiles::observe(const CycleRecord& record) {
         grid.add(record);
     if (!clock_.due(record.time, record.step, record.last)) return;
     for (size_t i = 0; i < grids_.size(); ++i) {
-        blanks_[i].add(folder_, written_, grids_[i].blank(record));
-        tools_[i].add(folder_, written_, grids_[i].tool(record));
+        add(blanks_[i], grids_[i].blank(record));
+        add(tools_[i], grids_[i].tool(record));
     }
-    ++written_;
+    times_.push_back(record.time);
 }
 
-void ParaviewFiles::Series::add(const fs::path& folder, long number, const VtuGrid& grid) {
-    const std::string file = fmt::format("{}_{:06}.vtu", name, number);
-    write_vtu(folder / file, grid);
-    list.add(grid.time, file);
+std::string ParaviewFiles::Series::file(size_t number) const {
+    return fmt::format("{}_{:06}.vtu", name, number);
 }
 
-std::vector<fs::path> old_paraview_files(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder / "paraview", error), end; !error && entry != end;
-         entry.increment(error)) {
-        const fs::path& path = entry->path();
-        const std::string name = path.filename().string();
-        const bool ours = name.starts_with("blank_") || name.starts_with("tool_");
-        if (ours && (path.extension() == ".pvd" || path.extension() == ".vtu")) files.push_back(path);
+void ParaviewFiles::add(Series& series, const VtuGrid& grid) {
+    const std::string file = series.file(times_.size());
+    write_vtu(folder_ / file, grid, mark_);
+    series.list.add(grid.time, file);
+}
+
+void ParaviewFiles::take_over(const fs::path& folder, const std::vector<double>& times) {
+    for (std::vector<Series>* all : {&blanks_, &tools_}) {
+        for (Series& series : *all) {
+            for (size_t i = 0; i < times.size(); ++i) {
+                const std::string name = series.file(i);
+                const fs::path from = folder / "paraview" / name;
+                errno = 0;
+                std::ifstream file(from, std::ios::binary);
+                std::string first, mark;
+                std::getline(file, first);
+                std::getline(file, mark);
+                const std::string rest{std::istreambuf_iterator<char>(file), {}};
+                if (!file) throw IoError(from, "cannot be read", errno);
+                replace_file(folder_ / name, first + "\n" + mark_ + rest);
+                series.list.add(times[i], name);
+            }
+        }
     }
-    return files;
+    times_ = times;
 }
 
 }  // namespace type21

@@ -16,26 +16,40 @@ namespace type21 {
 /// begins, and nothing of it is kept in memory.
 class ParaviewFiles {
   public:
-    /// @throws std::runtime_error when the folder cannot be written
-    ParaviewFiles(const HostScene& scene, const std::filesystem::path& folder);
+    /// @param mark  xml_mark() of the run
+    /// @throws IoError when the folder cannot be written
+    ParaviewFiles(const HostScene& scene, const std::filesystem::path& folder, const std::string& mark);
 
+    /// @throws IoError
     void observe(const CycleRecord& record);
+
+    /// Copies the files of the times so far from the folder of a run that is gone on with, and puts the mark of this
+    /// one into them.
+    /// @param times  of the files
+    /// @throws IoError
+    void take_over(const std::filesystem::path& folder, const std::vector<double>& times);
+    /// Of the files so far [time].
+    const std::vector<double>& times() const { return times_; }
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(clock_, grids_);
+    }
 
   private:
     struct Series {
         std::string name;  ///< "blank_1"
         PvdFile list;
-        void add(const std::filesystem::path& folder, long number, const VtuGrid& grid);
+        std::string file(size_t number) const;
     };
 
+    void add(Series& series, const VtuGrid& grid);
+
     std::filesystem::path folder_;
+    std::string mark_;
     OutputClock clock_;
-    long written_ = 0;
+    std::vector<double> times_;
     std::vector<ContactGrid> grids_;      ///< per interface
     std::vector<Series> blanks_, tools_;  ///< likewise
 };
-
-/// The files of an earlier run in its folder, to be removed before another one.
-std::vector<std::filesystem::path> old_paraview_files(const std::filesystem::path& folder);
 
 }  // namespace type21

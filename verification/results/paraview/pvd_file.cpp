@@ -1,16 +1,20 @@
 #include "verification/results/paraview/pvd_file.h"
 
+#include <cerrno>
 #include <fstream>
 #include <pugixml.hpp>
 #include <sstream>
-#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "verification/support/io_error.h"
+#include "verification/support/output_file.h"
 
 namespace type21 {
 namespace {
 
-const std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+const std::string first = "<?xml version=\"1.0\"?>\n";
+const std::string head = "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
 const std::string tail = "</Collection>\n</VTKFile>\n";
 
 std::string entry(double time, const std::string& file) {
@@ -26,12 +30,9 @@ std::string entry(double time, const std::string& file) {
 
 }  // namespace
 
-PvdFile::PvdFile(const std::filesystem::path& path) : path_(path) {
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file << head << tail;
-    file.close();
-    if (!file) throw std::runtime_error(fmt::format("{}: cannot be written", path_.string()));
-    end_ = static_cast<std::streamoff>(head.size());
+PvdFile::PvdFile(const std::filesystem::path& path, const std::string& mark) : path_(path) {
+    replace_file(path, first + mark + head + tail);
+    end_ = static_cast<std::streamoff>(first.size() + mark.size() + head.size());
 }
 
 void PvdFile::add(double time, const std::string& file) {
@@ -40,14 +41,16 @@ void PvdFile::add(double time, const std::string& file) {
         end_ += static_cast<std::streamoff>(text.size());
         return;
     }
+    const int reason = errno;
     // The place of the old end is there still.
     write_at_end(tail);
     std::error_code ignored;
     std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(end_) + tail.size(), ignored);
-    throw std::runtime_error(fmt::format("{}: writing failed (disk full?)", path_.string()));
+    throw IoError(path_, "cannot be written", reason);
 }
 
 bool PvdFile::write_at_end(const std::string& text) const {
+    errno = 0;
     std::ofstream file(path_, std::ios::binary | std::ios::in);
     file.seekp(end_);
     file << text;

@@ -10,11 +10,13 @@ namespace type21 {
 /// When that fails, the old end is put back.
 class PvdFile {
   public:
-    /// An empty list. @throws std::runtime_error naming the file
-    explicit PvdFile(const std::filesystem::path& path);
+    /// An empty list.
+    /// @param mark  a line of XML that says which run wrote it, or nothing
+    /// @throws IoError
+    explicit PvdFile(const std::filesystem::path& path, const std::string& mark = "");
 
     /// @param file  name, relative to the folder of the list
-    /// @throws std::runtime_error naming the file; the list is then as it was
+    /// @throws IoError; the list is then as it was
     void add(double time, const std::string& file);
 
   private:

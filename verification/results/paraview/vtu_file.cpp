@@ -1,13 +1,13 @@
 #include "verification/results/paraview/vtu_file.h"
 
 #include <bit>
-#include <fstream>
 #include <pugixml.hpp>
-#include <stdexcept>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include "verification/results/paraview/base64.h"
+#include "verification/support/output_file.h"
 
 namespace type21 {
 namespace {
@@ -119,16 +119,11 @@ pugi::xml_document document(const VtuGrid& grid) {
 
 }  // namespace
 
-void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
-    const std::filesystem::path fresh = path.string() + ".new";
-    std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-    document(grid).save(file, " ");
-    file.close();
-    std::error_code error;
-    if (file) std::filesystem::rename(fresh, path, error);
-    if (file && !error) return;
-    std::filesystem::remove(fresh, error);
-    throw std::runtime_error(fmt::format("{}: writing failed (disk full?)", path.string()));
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid, const std::string& mark) {
+    std::ostringstream text;
+    text << "<?xml version=\"1.0\"?>\n" << mark;
+    document(grid).save(text, " ", pugi::format_default | pugi::format_no_declaration);
+    replace_file(path, text.view());
 }
 
 }  // namespace type21

@@ -34,7 +34,8 @@ struct VtuGrid {
 
 /// Writes doubles as they are, in base64. Field data of the grid hold the time (TimeValue) and one text for each array
 /// with its unit (units). The file appears in one move: a reader never meets half of it.
-/// @throws std::runtime_error naming the file
-void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
+/// @param mark  a line of XML that says which run wrote it, or nothing
+/// @throws IoError
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid, const std::string& mark = "");
 
 }  // namespace type21

@@ -13,11 +13,11 @@ constexpr const char* reason =
 
 }  // namespace
 
-void write_vtu(const std::filesystem::path&, const VtuGrid&) {
+void write_vtu(const std::filesystem::path&, const VtuGrid&, const std::string&) {
     throw std::runtime_error(reason);
 }
 
-PvdFile::PvdFile(const std::filesystem::path&) {
+PvdFile::PvdFile(const std::filesystem::path&, const std::string&) {
     throw std::runtime_error(reason);
 }
 

@@ -33,9 +33,7 @@ void EffectFiles::observe(const CycleRecord& record) {
 void EffectFiles::write_skid_line(double time) {
     const auto& nodes = model_.interfaces[static_cast<size_t>(interface_)].secondary.node;
     for (size_t n = 0; n < nodes.size(); ++n)
-        skid_->row({digits17(time), fmt::format("{}", model_.nodes.id[static_cast<size_t>(nodes[n])])},
-                   {largest_skid_[n]});
-    skid_->flush();
+        skid_->row(digits17(time), model_.nodes.id[static_cast<size_t>(nodes[n])], {largest_skid_[n]});
 }
 
 void EffectFiles::write_adaptive(const CycleRecord& record, const ContactStep& step) {
@@ -47,10 +45,16 @@ void EffectFiles::write_adaptive(const CycleRecord& record, const ContactStep& s
         divided_[e] = 1;
         const int shell = segments[e].shell;
         const Id id = shell < 0 ? -static_cast<Id>(e) - 1 : model_.shells[static_cast<size_t>(shell)].id;
-        adaptive_->row({digits17(record.time), fmt::format("{}", id)},
+        adaptive_->row(digits17(record.time), id,
                        {element.radius, element.longest_edge, element.cosine, element.penetration});
     }
-    adaptive_->flush();
+}
+
+std::vector<CsvWriter*> EffectFiles::files() {
+    std::vector<CsvWriter*> files;
+    for (std::optional<CsvWriter>* file : {&skid_, &adaptive_})
+        if (*file) files.push_back(&**file);
+    return files;
 }
 
 }  // namespace type21

@@ -19,6 +19,12 @@ class EffectFiles {
     EffectFiles(const HostScene& scene, int interface, const std::filesystem::path& folder);
 
     void observe(const CycleRecord& record);
+    /// The files that are there.
+    std::vector<CsvWriter*> files();
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(largest_skid_, divided_);
+    }
 
   private:
     void write_skid_line(double time);

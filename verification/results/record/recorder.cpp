@@ -1,6 +1,6 @@
 #include "verification/results/record/recorder.h"
 
-#include <fmt/format.h>
+#include "verification/results/record/run_id.h"
 
 namespace type21 {
 namespace {
@@ -39,33 +39,62 @@ void Recorder::observe(const CycleRecord& record) {
 
 void Recorder::write(const CycleRecord& record) {
     const std::string time = digits17(record.time);
+    std::vector<double> values;
     for (size_t i = 0; i < interfaces_.size(); ++i) {
-        std::vector<double> values;
+        values.clear();
         for (const InterfaceColumn& column : interfaces_[i].columns)
             values.push_back(column.value((*record.totals)[i]));
-        interfaces_[i].file.row({time}, values);
-        interfaces_[i].file.flush();
+        interfaces_[i].file.row(time, std::nullopt, values);
     }
-    if (nodes_) write_nodes(record);
+    if (nodes_) write_nodes(record, time);
     if (bodies_) {
         for (size_t body = 0; body < body_history_.bodies().size(); ++body) {
             const auto index = static_cast<size_t>(body_history_.bodies()[body]);
-            bodies_->row({time, fmt::format("{}", model_.rigid_bodies[index].id)}, body_history_.values(record, body));
+            bodies_->row(time, model_.rigid_bodies[index].id, body_history_.values(record, body));
         }
-        bodies_->flush();
+    }
+    if (Clock::now() - flushed_ > std::chrono::seconds(1)) flush();
+}
+
+void Recorder::write_nodes(const CycleRecord& record, const std::string& time) {
+    std::vector<double> values;
+    for (const int node : node_history_.nodes) {
+        const auto index = static_cast<size_t>(node);
+        values.clear();
+        for (const NodeColumn& column : node_history_.columns)
+            values.push_back(column.value(record, index));
+        nodes_->row(time, model_.nodes.id[index], values);
     }
 }
 
-void Recorder::write_nodes(const CycleRecord& record) {
-    const std::string time = digits17(record.time);
-    for (const int node : node_history_.nodes) {
-        const auto index = static_cast<size_t>(node);
-        std::vector<double> values;
-        for (const NodeColumn& column : node_history_.columns)
-            values.push_back(column.value(record, index));
-        nodes_->row({time, fmt::format("{}", model_.nodes.id[index])}, values);
-    }
-    nodes_->flush();
+std::vector<CsvWriter*> Recorder::files() {
+    std::vector<CsvWriter*> files;
+    for (InterfaceFile& interface : interfaces_)
+        files.push_back(&interface.file);
+    for (std::optional<CsvWriter>* file : {&nodes_, &bodies_})
+        if (*file) files.push_back(&**file);
+    for (EffectFiles& effects : effects_)
+        for (CsvWriter* file : effects.files())
+            files.push_back(file);
+    return files;
+}
+
+void Recorder::flush() {
+    for (CsvWriter* file : files())
+        file->flush();
+    flushed_ = Clock::now();
+}
+
+std::vector<WrittenFile> Recorder::written() {
+    std::vector<WrittenFile> written;
+    for (const CsvWriter* file : files())
+        written.push_back(file->written());
+    return written;
+}
+
+void Recorder::close(std::string_view run_id) {
+    for (CsvWriter* file : files())
+        file->close(csv_mark(run_id));
 }
 
 }  // namespace type21

@@ -24,6 +24,11 @@ class RigidBodyHistory {
     const std::vector<int>& bodies() const { return bodies_; }
     /// Values of one body in the order of header() after `time,rbody`.
     std::vector<double> values(const CycleRecord& record, size_t body) const;
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        for (auto& [force, moment] : impulse_)
+            archive(force, moment);
+    }
 
   private:
     const Model& model_;

@@ -20,20 +20,29 @@ struct RunProgress {
     bool last = false;
 };
 
-/// Optional files of a run.
+/// What a run writes beside its histories, and how it may end and go on.
 struct RunFiles {
-    bool paraview = false;  ///< ParaviewFiles
+    bool paraview = false;            ///< ParaviewFiles
+    long checkpoint_every = 0;        ///< cycles; 0: no checkpoint
+    bool keep_checkpoints = false;    ///< each under a name of its own, not only the last
+    std::filesystem::path restart{};  ///< checkpoint to go on from; empty: from time 0
+    /// The files that the deck was read from: a restart asks whether they are as they were.
+    std::vector<std::string> inputs{};
+    std::string with{};                   ///< what the contact is called: a restart asks for the same
+    std::function<bool()> interrupted{};  ///< asked between two cycles: true ends the run there
+    bool durable = false;                 ///< ResultFolder::publish
 };
 
-/// Runs a prepared scene into a folder and writes run.json at the end, also when the run stops or something throws.
+/// Runs a prepared scene into a folder of its own, which takes the place of `folder` at the end, also when the run
+/// stops or is interrupted: run.json says how it ended. When it cannot be written, `folder` stays as it was.
 /// @param progress  called every cycle; may be empty
 /// @param with      implementation of the contact, one of contact_choices()
-/// @throws FolderError before anything is computed when the folder cannot be used
+/// @throws FolderError and CheckpointError before anything is computed; IoError
 RunSummary run_scene(const HostScene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options = {},
-                     const std::string& with = "reference", const RunFiles& files = {});
+                     const std::string& with = "reference", RunFiles files = {});
 
-/// The same with any contact.
+/// The same with any contact; files.with names it.
 RunSummary run_scene(const HostScene& scene, const Problems& problems, const std::filesystem::path& folder,
                      const std::function<void(const RunProgress&)>& progress, const MarchOptions& options,
                      const MakeContact& make, const RunFiles& files = {});

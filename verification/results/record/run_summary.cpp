@@ -1,14 +1,12 @@
 #include "verification/results/record/run_summary.h"
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "verification/decisions/queries/decision_text.h"
 #include "verification/results/record/interface_columns.h"
+#include "verification/results/record/run_id.h"
 #include "verification/support/build_info.h"
+#include "verification/support/output_file.h"
 
 namespace type21 {
 namespace {
@@ -91,6 +89,8 @@ std::string_view name(RunSummary::State state) {
             return "stopped";
         case RunSummary::State::diverged:
             return "diverged";
+        case RunSummary::State::interrupted:
+            return "interrupted";
     }
     return "";
 }
@@ -99,6 +99,8 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
     const BuildInfo& build = build_info();
     const Model& model = *scene.host;
     Json json = {{"program", "type21"},
+                 {"schema", result_schema},
+                 {"run_id", summary.run_id},
                  {"version", build.version},
                  {"commit", build.commit},
                  {"compiler", build.compiler},
@@ -113,6 +115,8 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
                  {"largest_step", summary.largest_step},
                  {"wall_seconds", summary.wall_seconds},
                  {"warnings", warnings}};
+    if (const auto& from = summary.restarted_from)
+        json["restarted_from"] = {{"run_id", from->run_id}, {"cycle", from->cycle}, {"time", from->time}};
     json.update(model_json(scene));
     Json results = Json::array();
     for (size_t i = 0; i < summary.totals.size(); ++i) {
@@ -135,17 +139,8 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
 }
 
 void write_json(const std::filesystem::path& path, const Json& json) {
-    const std::filesystem::path fresh = path.string() + ".new";
-    {
-        std::ofstream file(fresh, std::ios::binary | std::ios::trunc);
-        // A name in a deck may be in any encoding: bytes that are not UTF-8 are replaced.
-        file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-        file.flush();
-        if (!file) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
-    }
-    std::error_code error;
-    std::filesystem::rename(fresh, path, error);
-    if (error) throw std::runtime_error(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+    // A name in a deck may be in any encoding: bytes that are not UTF-8 are replaced.
+    replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace type21

@@ -15,9 +15,18 @@
 
 namespace type21 {
 
+/// The run that this one goes on with.
+struct RestartedFrom {
+    std::string run_id;
+    long cycle = 0;   ///< n of the first cycle that this run computed
+    double time = 0;  ///< its t_n [time]
+};
+
 struct RunSummary {
-    enum class State { running, completed, stopped, diverged };
+    enum class State { running, completed, stopped, diverged, interrupted };
     State state = State::running;
+    std::string run_id;
+    std::optional<RestartedFrom> restarted_from;
     std::string reason;        ///< why it stopped, empty otherwise
     long cycles = 0;           ///< number of cycles observed
     double time = 0;           ///< t_n of the last cycle [time]
@@ -32,11 +41,18 @@ struct RunSummary {
 
     /// Of the optimized contact with the sorted search; empty otherwise.
     std::vector<std::optional<optimized::SortedSearchCounts>> sorted_search;
+    std::string checkpoint;          ///< the last one written, where it is now; empty: none
+    std::vector<std::string> notes;  ///< what the run found beside its folder
 
     void observe(const CycleRecord& record);
+    /// What a restart takes over; the rest is set by the cycle that follows.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(cycles, time, smallest_step, largest_step, wall_seconds);
+    }
 };
 
-/// "running", "completed", "stopped" or "diverged".
+/// "running", "completed", "stopped", "diverged" or "interrupted".
 std::string_view name(RunSummary::State state);
 
 /// @param warnings  those of the deck, as text
@@ -47,7 +63,7 @@ nlohmann::ordered_json to_json(const RunSummary& summary, const HostScene& scene
 nlohmann::ordered_json model_json(const HostScene& scene);
 
 /// Replaces run.json in one step, so that a reader never sees an incomplete file.
-/// @throws std::runtime_error naming the file
+/// @throws IoError
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 
 }  // namespace type21

@@ -14,6 +14,10 @@ class OutputClock {
     /// @param time  t_n [time]
     /// @param step  dt1, the step that led here [time]
     bool due(double time, double step, bool last);
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(next_, first_);
+    }
 
   private:
     double interval_;

@@ -71,7 +71,7 @@ def series(folder, name):
 
 def table(path):
     with open(path) as file:
-        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(line for line in file if line[0] != "#")]
 
 
 def total(vectors):

@@ -1,6 +1,9 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "verification/results/record/recorder.h"
+#include "verification/results/record/run_id.h"
 #include "verification/results/tables/csv_table.h"
 #include "verification/tests/results/record/record_scene.h"
 #include "verification/tests/temp_folder.h"
@@ -49,6 +52,7 @@ TEST(Recorder, EveryColumnHoldsItsOwnQuantity) {
     t.damping_energy = 18;
     Recorder recorder(small.scene, folder.path());
     recorder.observe(cycle.record(0, 0.25, 0, 1, true));
+    recorder.flush();
     const CsvTable table = read_csv(folder / "interface_10.csv");
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.time[0], 0.25);
@@ -64,6 +68,7 @@ TEST(Recorder, NodesHoldTheUnionOfTheRequestsOncePerTime) {
     Cycle cycle;
     Recorder recorder(small.scene, folder.path());
     recorder.observe(cycle.record(0, 0, 0, 1, false));
+    recorder.flush();
     EXPECT_EQ(read_text(folder / "nodes.csv"),
               "time,node,DX,AX,VRZ,REACY,REACXX,Z\n"
               "0,7,0.5,1,0,-2,7,3\n"
@@ -89,6 +94,7 @@ TEST(Recorder, TheToolGetsImpulsesOfAllCyclesAndInterfaces) {
     recorder.observe(cycle.record(0, 0, 0, 1, false));
     recorder.observe(cycle.record(1, 1, 1, 1, false));
     recorder.observe(cycle.record(2, 2, 1, 1, true));
+    recorder.flush();
     const CsvTable table = read_csv(folder / "rbody.csv");
     ASSERT_EQ(table.rows(), 2U);
     EXPECT_EQ(table.object[0], 3);
@@ -102,14 +108,36 @@ TEST(Recorder, TheToolGetsImpulsesOfAllCyclesAndInterfaces) {
     EXPECT_EQ(table.values[*table.column("VRX")][0], 0.1);
 }
 
-TEST(Recorder, KeepsOnDiskWhatItWroteWhileItIsStillOpen) {
+TEST(Recorder, PutsOnDiskWhatItIsToldToAndMarksItAtTheEnd) {
     RecordScene small;
     TempFolder folder;
     Cycle cycle;
     Recorder recorder(small.scene, folder.path());
     for (int n = 0; n < 3; ++n)
         recorder.observe(cycle.record(n, n, 1, 1, false));
+    recorder.flush();
     EXPECT_EQ(read_csv(folder / "interface_10.csv").rows(), 3U);
+    EXPECT_EQ(run_id_in(folder / "interface_10.csv"), "");
+    recorder.close("of-this-run");
+    EXPECT_EQ(read_csv(folder / "interface_10.csv").rows(), 3U);
+    for (const char* name : {"interface_10.csv", "interface_11.csv", "rbody.csv"})
+        EXPECT_EQ(run_id_in(folder / name), "of-this-run") << name;
+}
+
+TEST(Recorder, ANumberThatIsNotFiniteIsNeverWritten) {
+    RecordScene small;
+    TempFolder folder;
+    Cycle cycle;
+    Recorder recorder(small.scene, folder.path());
+    cycle.totals[1].norm_total = std::numeric_limits<double>::infinity();
+    try {
+        recorder.observe(cycle.record(0, 0.25, 0, 1, false));
+        FAIL() << "no exception";
+    } catch (const std::logic_error& error) {
+        const std::string text = error.what();
+        for (const char* part : {"interface_11.csv", "||F||", "inf", "0.25"})
+            EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
 }
 
 TEST(Digits17, GiveBackTheSameDouble) {
