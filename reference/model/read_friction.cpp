@@ -4,6 +4,7 @@
 
 #include "reference/model/card_reading.h"
 #include "reference/model/reading.h"
+#include "reference/model/selector.h"
 
 namespace type21 {
 
@@ -55,21 +56,50 @@ int choice(CardReader& reader, int first, std::string_view field, int largest) {
     return 0;
 }
 
-FrictionPair read_pair(Reading& reading, CardReader& reader, size_t line, int ifric) {
-    FrictionPair pair;
-    refuse_unless_zero(reader, line, 1, 10, "grpart_ID1", "a group of parts is");
-    refuse_unless_zero(reader, line, 11, 20, "grpart_ID2", "a group of parts is");
-    const bool groups = !reader.blank(line, 1, 20) && reader.text(line, 1, 10) != "0";
-    pair.part_a = reading.reference(reader, line, 21, 30, "part_ID1", reading.parts, !groups);
-    pair.part_b = reading.reference(reader, line, 31, 40, "part_ID2", reading.parts, !groups);
+/// One side of a pair: a part, or each part of a group.
+std::vector<int> read_side(Reading& reading, CardReader& reader, size_t line, int side) {
+    const std::string group_field = fmt::format("grpart_ID{}", side);
+    const std::string part_field = fmt::format("part_ID{}", side);
+    const int first = 1 + 10 * (side - 1);
+    const Id group = reader.integer(line, first, first + 9, group_field);
+    const Id part = reader.integer(line, first + 20, first + 29, part_field);
+    if (group == 0) {
+        const int index = reading.reference(reader, line, part_field, part, reading.parts, true);
+        return index < 0 ? std::vector<int>{} : std::vector<int>{index};
+    }
+    if (part != 0) {
+        reader.error(static_cast<int>(line), part_field, fmt::format("{}", part),
+                     fmt::format("a side of a pair is a part or a group of parts; {} is given, too", group_field),
+                     "Give one of them");
+        return {};
+    }
+    const SelectionCard* card = reading.selector->find(reader, line, Family::part_group, group, group_field);
+    if (card == nullptr) return {};
+    const int errors = reading.problems.error_count();
+    std::vector<int> parts = reading.selector->parts(*card);
+    if (parts.empty() && reading.problems.error_count() == errors) {
+        reader.error(static_cast<int>(line), group_field, fmt::format("{}", group), "the group has no parts",
+                     "Check what the group lists, or remove the pair");
+    }
+    return parts;
+}
+
+/// Three lines: both sides; C1..C5; C6 and Fric. Each part of the one side with each of the other.
+void read_pairs(Reading& reading, CardReader& reader, size_t line, FrictionModel& model) {
+    const std::vector<int> side1 = read_side(reading, reader, line, 1);
+    const std::vector<int> side2 = read_side(reading, reader, line, 2);
     refuse_unless_zero(reader, line, 51, 60, "Idir", "friction that depends on the direction is");
-    pair.coefficients = coefficients(reader, line + 1, ifric, card_reading(reading.model.as_built));
-    return pair;
+    const FrictionCoefficients read = coefficients(reader, line + 1, model.ifric, card_reading(reading.model.as_built));
+    for (const int a : side1) {
+        for (const int b : side2)
+            model.pairs.push_back({a, b, read});
+    }
 }
 
 }  // namespace
 
-/// /FRICTION: the default coefficients and those of part pairs, three lines each.
+/// /FRICTION: the default coefficients and those of pairs of parts or groups of parts, three lines each. Of several
+/// pairs that hold for two parts the first one counts.
 void read_friction(Reading& reading) {
     std::vector<FrictionModel>& models = reading.model.friction_models;
     const auto next = [&] { return static_cast<int>(models.size()); };
@@ -95,7 +125,7 @@ void read_friction(Reading& reading) {
                              "Add the lines that are missing: part_ID1 part_ID2; C1 to C5; C6 Fric VISf");
                 break;
             }
-            model.pairs.push_back(read_pair(reading, reader, line, model.ifric));
+            read_pairs(reading, reader, line, model);
         }
         models.push_back(std::move(model));
     });

@@ -130,12 +130,12 @@ void read_parts(Reading& reading) {
         part.title = reader.text(0, 1, 100);
         part.property = reading.reference(reader, 1, 1, 10, "prop_ID", reading.properties, true);
         part.material = reading.reference(reader, 1, 11, 20, "mat_ID", reading.materials, true);
-        reader.unused(1, 21, 30, 10);  // subset_ID
         part.contact_thickness = reader.real(1, 31, 50, "Thick", dim::length);
         if (part.contact_thickness < 0) {
             reader.error(1, "Thick", quantity(reader, part.contact_thickness, dim::length),
                          "a contact thickness is not negative", "Give 0 for that of the shells");
         }
+        reading.part_subsets.push_back(reader.integer(1, 21, 30, "subset_ID"));
         warn_of_excess(reader, 2);
         parts.push_back(std::move(part));
     });

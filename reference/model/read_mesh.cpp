@@ -271,6 +271,7 @@ void read_mesh(Reading& reading) {
     forget("NODE");
     read_shells(reading, Keyword::shell, 4, "shell_ID");
     forget("SHELL");
+    reading.first_sh3n = static_cast<int>(reading.model.shells.size());
     read_shells(reading, Keyword::sh3n, 3, "sh3n_ID");
     forget("SH3N");
 }

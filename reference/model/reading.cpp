@@ -8,6 +8,7 @@
 #include "reference/model/card_lines.h"
 #include "reference/model/numbers.h"
 #include "reference/model/resolve_interfaces.h"
+#include "reference/model/selector.h"
 
 namespace type21 {
 
@@ -17,6 +18,8 @@ Reading::Reading(const Deck& deck_, Model& model_, Problems& problems_)
     for (const Card& card : deck.starter)
         cards.push_back({&card, match(card)});
 }
+
+Reading::~Reading() = default;
 
 CardReader Reading::reader(const Card& card, size_t unit_position) {
     return {deck, card, card_units(deck, card, unit_position, model, problems), model.units, problems};

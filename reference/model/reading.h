@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -28,11 +29,15 @@ struct Registry {
     std::unordered_set<Id> unsupported;
     /// Keywords of cards that are not read and harmless until something refers to them.
     std::unordered_map<Id, std::string> unread = {};
+    /// Reads the card of an entry whose index is `not_loaded`, notes its index and returns it.
+    std::function<int(Id)> load = nullptr;
+    static constexpr int not_loaded = -2;
 
     /// Index in the model, -1 if the id is not there.
     int find(Id id) const {
         const auto found = entries.find(id);
-        return found == entries.end() ? -1 : found->second.index;
+        if (found == entries.end()) return -1;
+        return load && found->second.index == not_loaded ? load(id) : found->second.index;
     }
 };
 
@@ -45,8 +50,11 @@ struct ReadCard {
 /// Stands for the keyword line where a data line is asked for.
 inline constexpr size_t keyword_line = std::numeric_limits<int>::max();
 
+class Selector;
+
 struct Reading {
     Reading(const Deck& deck_, Model& model_, Problems& problems_);
+    ~Reading();
 
     const Deck& deck;
     Model& model;
@@ -57,7 +65,10 @@ struct Reading {
     Registry surfaces{"/SURF", {}, {}}, groups{"/GRNOD", {}, {}}, functions{"/FUNCT", {}, {}};
     Registry sensors{"/SENSOR", {}, {}}, rigid_bodies{"/RBODY", {}, {}}, friction_models{"/FRICTION", {}, {}};
     Registry interfaces{"/INTER", {}, {}}, histories{"/TH", {}, {}}, units{"/UNIT", {}, {}};
-    Registry conditions{"", {}, {}};  ///< of one kind at a time: nothing refers to these
+    std::vector<Id> part_subsets;        ///< subset_ID of each part
+    int first_sh3n = 0;                  ///< index of the first shell of a /SH3N card; those of /SHELL come before
+    std::unique_ptr<Selector> selector;  ///< reads groups and surfaces when they are asked for
+    Registry conditions{"", {}, {}};     ///< of one kind at a time: nothing refers to these
 
     /// Calls read(card, reader, id) for every card of this keyword, in the order of the deck. A card without an id, or
     /// with one that another card of the registry has, is an error and is not read.
@@ -109,16 +120,6 @@ struct ListedId {
 };
 std::vector<ListedId> listed_ids(CardReader& reader, size_t first_line, std::string_view field);
 
-/// Cards made of others of their kind (/SURF/SURF, /GRNOD/GRNOD), in whatever order the deck has them; a card that
-/// contains itself is an error.
-/// @param start  makes the new entry of the model
-/// @param append adds entry `from` to entry `index`; turned: its id was negative
-/// @param finish called for an entry that is complete
-void read_compounds(Reading& reading, Keyword keyword, Registry& registry, const std::function<int()>& next,
-                    const std::function<void(const CardReader&, Id)>& start,
-                    const std::function<void(int index, int from, bool turned)>& append,
-                    const std::function<void(int index)>& finish = {});
-
 /// Direction X, Y, Z, XX, YY, ZZ as 0..5; -1 and an error for another word.
 int direction(CardReader& reader, size_t line, int first, int last);
 
@@ -135,8 +136,7 @@ void read_functions(Reading& reading);
 void read_materials(Reading& reading);
 void read_heat_materials(Reading& reading);
 void read_mesh(Reading& reading);
-void read_surfaces(Reading& reading);
-void read_groups(Reading& reading);
+void read_selections(Reading& reading);
 void read_conditions(Reading& reading);
 void read_loads(Reading& reading);
 void read_temperatures(Reading& reading);

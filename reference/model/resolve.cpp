@@ -8,6 +8,7 @@
 #include "reference/model/numbers.h"
 #include "reference/model/reading.h"
 #include "reference/model/resolve_interfaces.h"
+#include "reference/model/selector.h"
 
 namespace type21 {
 
@@ -25,10 +26,8 @@ Problem problem_at(const Reading& reading, const Card& card, Severity severity) 
 /// none; any other is an error as soon as something refers to it.
 void note_id(Reading& reading, const Card& card, bool refused) {
     const std::pair<std::string_view, Registry*> kinds[] = {
-        {"MAT", &reading.materials},          {"PROP", &reading.properties},
-        {"SURF", &reading.surfaces},          {"GRNOD", &reading.groups},
-        {"FUNCT", &reading.functions},        {"SENSOR", &reading.sensors},
-        {"RBODY", &reading.rigid_bodies},     {"INTER", &reading.interfaces},
+        {"MAT", &reading.materials},          {"PROP", &reading.properties},         {"FUNCT", &reading.functions},
+        {"SENSOR", &reading.sensors},         {"RBODY", &reading.rigid_bodies},      {"INTER", &reading.interfaces},
         {"FUNCT_SMOOTH", &reading.functions}, {"FRICTION", &reading.friction_models}};
     for (const auto& [word, registry] : kinds) {
         if (card.words[0] != word) continue;
@@ -147,8 +146,7 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     read_materials(reading);
     read_heat_materials(reading);
     read_mesh(reading);
-    read_surfaces(reading);
-    read_groups(reading);
+    read_selections(reading);
     read_conditions(reading);
     read_loads(reading);
     read_temperatures(reading);
@@ -159,6 +157,7 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     resolve_interfaces(deck, model, problems);
     read_histories(reading);
     read_engine(reading);
+    reading.selector->check_unused();
     reading.say_ignored();
     return model;
 }

@@ -45,7 +45,8 @@ struct UnitSystem {
     std::string mass_name = "kg";
     std::string length_name = "m";
     std::string time_name = "s";
-    bool named = true;  ///< false: the deck names no units; the names are letters of dimensions and the sizes mean nothing
+    bool named =
+        true;  ///< false: the deck names no units; the names are letters of dimensions and the sizes mean nothing
 
     /// Size of one unit of this dimension in SI.
     double si(Dimension dimension) const;

@@ -115,6 +115,28 @@ TEST(Friction, TableWithAPair) {
     EXPECT_DOUBLE_EQ(f.pairs[0].coefficients.c[0], 3e6);
 }
 
+TEST(Friction, GroupsOfPartsAreAllTheirPairs) {
+    const std::string groups = "/PART/3\nthird\n" + ints({"1", "1"}) + "/GRPART/PART/31\nblank\n" + ints({"1", "3"}) +
+                               "/GRPART/GENE/32\ntool\n" + ints({"2", "2"}) + "/GRPART/SUBSET/33\nempty\n" +
+                               ints({"7"}) + "/SUBSET/7\nno part\n";
+    const std::string head = "/FRICTION/9\ntable\n" + ints({"0", "0"}) + reals({""}) + reals({"", "0.1"});
+    const Resolved r = resolved(with_cards(groups + head + ints({"31", "32"}) + reals({""}) + reals({"", "0.2"}) +
+                                           ints({"", "32", "1", ""}) + reals({""}) + reals({"", "0.3"})));
+    EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
+    const std::vector<FrictionPair>& pairs = r.model.friction_models.at(0).pairs;
+    ASSERT_EQ(pairs.size(), 3U);
+    const auto is = [](const FrictionPair& pair, int a, int b, double fric) {
+        return pair.part_a == a && pair.part_b == b && pair.coefficients.fric == fric;
+    };
+    EXPECT_TRUE(is(pairs[0], 0, 1, 0.2));
+    EXPECT_TRUE(is(pairs[1], 2, 1, 0.2));
+    EXPECT_TRUE(is(pairs[2], 0, 1, 0.3)) << "a group and a part";
+    const Problem empty =
+        only(resolved(with_cards(groups + head + ints({"33", "32"}) + reals({""}) + reals({"", "0.2"}))).problems);
+    EXPECT_EQ(empty.field, "grpart_ID1");
+    EXPECT_NE(empty.rule.find("no parts"), std::string::npos);
+}
+
 TEST(Friction, XfreqIsAFrequencyWithFilterThreeOnly) {
     const std::string unit = "/UNIT/5\nms\n" + reals({"Mg", "mm", "ms"});
     const auto xfreq = [&](const char* filter) {
@@ -134,7 +156,9 @@ TEST(Friction, MistakesAreNamed) {
     };
     EXPECT_EQ(field(ints({"5", "0"}), ""), "Ifric");
     EXPECT_EQ(field(ints({"0", "4"}), ""), "Ifiltr");
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "1", "2"})), "grpart_ID1");
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "", "2"})), "grpart_ID1") << "no such group";
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "1", "2"})), "part_ID1") << "a group and a part";
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", ""})), "part_ID2") << "neither";
     EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "66"})), "part_ID2");
     EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "2", "", "1"})), "Idir");
 }
