@@ -97,6 +97,11 @@ void CardCollector::read_file(const std::string& path, const Problem& blame) {
     const Loaded* loaded = load(real, path, blame);
     if (loaded == nullptr) return;
     readable_ = true;
+    if (loaded->file.size == 0 && !open_.empty()) {
+        Problem empty = blame;
+        empty.severity = Severity::warning;
+        complain(std::move(empty), path, "the file is empty", "Check that it was written");
+    }
     bytes_ += loaded->file.size;
     if (bytes_ > max_bytes || ++inclusions_ > max_inclusions) {
         complain(blame, path,

@@ -146,6 +146,16 @@ TEST(Includes, OfAPipeNeverWaits) {
     EXPECT_NE(find_rule(problems, "not an ordinary file"), nullptr) << all_of(problems);
 }
 
+TEST(Includes, AnEmptyFileIsAWarning) {
+    const TempFolder folder;
+    folder.write("empty.inc", "");
+    Problems problems;
+    read_scene(folder, "/BEGIN\n#include empty.inc\n/END\n", problems);
+    ASSERT_EQ(problems.list().size(), 1U) << all_of(problems);
+    EXPECT_EQ(problems.list()[0].severity, Severity::warning);
+    EXPECT_EQ(problems.list()[0].rule, "the file is empty");
+}
+
 TEST(Includes, ANameThatDiffersInCaseIsNamed) {
     const TempFolder folder;
     folder.write("Mesh.inc", "/PART/1\n");

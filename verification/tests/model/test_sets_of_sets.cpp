@@ -27,8 +27,11 @@ TEST(SetsOfSets, ALongChainFromItsWrongEndIsMade) {
     };
     EXPECT_EQ(group(100), 4U);
     EXPECT_EQ(group(20099), 4U);
-    for (const Surface& surface : r.model.surfaces)
-        if (surface.id != 1) EXPECT_EQ(surface.segments.size(), 1U) << surface.id;
+    for (const Surface& surface : r.model.surfaces) {
+        if (surface.id != 1) {
+            EXPECT_EQ(surface.segments.size(), 1U) << surface.id;
+        }
+    }
 }
 
 TEST(SetsOfSets, ALongCycleIsAnErrorOfEverySetInIt) {
