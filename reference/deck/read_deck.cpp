@@ -5,6 +5,7 @@
 #include "reference/deck/card_collector.h"
 #include "reference/deck/deck.h"
 #include "reference/deck/deck_files.h"
+#include "reference/deck/submodels.h"
 #include "reference/deck/text_file.h"
 
 namespace type21 {
@@ -78,6 +79,7 @@ Deck read(const DeckFiles& files, const std::string& starter_path, Problems& pro
     if (!starter.readable()) return deck;
     if (refuse_engine(deck, starter_path, problems)) return deck;
     check_whole(deck, starter, starter_path, problems);
+    expand_submodels(deck, problems);
     read_engine_beside(files, deck, starter_path, problems);
     return deck;
 }

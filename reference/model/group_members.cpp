@@ -127,6 +127,12 @@ std::vector<Link> Selector::open_box(const SelectionCard& card, CardReader& read
         complain_of_type(card, reader);
         return {};
     }
+    if (!placed_) {
+        reader.error(-1, "box_ID", fmt::format("{}", card.id),
+                     "a /TRANSFORM moves its nodes before boxes are filled, so that its group cannot be given by a box",
+                     "List the nodes, parts or shells");
+        return {};
+    }
     const Box box = read_box(reading_, reader, card.type);
     for (size_t node = 0; node < positions_.size(); ++node) {
         if (box.contains(positions_[node])) content.nodes.push_back(static_cast<int>(node));

@@ -24,6 +24,7 @@ enum class Keyword {
     material_void,
     material_heat,
     selection,  ///< groups, surfaces, boxes, subsets and sets: read when a card names one
+    transform,
     rigid_body,
     boundary_condition,
     imposed_velocity,

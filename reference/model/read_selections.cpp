@@ -62,7 +62,7 @@ void read_interface_surfaces(Reading& reading) {
 }  // namespace
 
 /// /GRNOD, /GRSHEL, /GRSH3N, /GRPART, /SURF, /BOX, /SUBSET and /SET. A card that nothing names is not read: it costs
-/// nothing and does no harm, whatever its kind.
+/// nothing and does no harm, whatever its kind. /TRANSFORM comes first; its groups are given by ids, not by boxes.
 void read_selections(Reading& reading) {
     reading.selector = std::make_unique<Selector>(reading);
     for (const SelectionCard& card : reading.selector->cards().all()) {
@@ -71,6 +71,8 @@ void read_selections(Reading& reading) {
                                            Registry::Entry{Registry::not_loaded, reading.deck.place(*card.card)});
     }
     reading.groups.load = [&reading](Id id) { return load_group(reading, id); };
+    read_transforms(reading);
+    reading.selector->place_nodes();
     read_interface_surfaces(reading);
 }
 

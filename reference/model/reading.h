@@ -137,6 +137,7 @@ void read_materials(Reading& reading);
 void read_heat_materials(Reading& reading);
 void read_mesh(Reading& reading);
 void read_selections(Reading& reading);
+void read_transforms(Reading& reading);
 void read_conditions(Reading& reading);
 void read_loads(Reading& reading);
 void read_temperatures(Reading& reading);

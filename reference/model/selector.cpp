@@ -25,8 +25,11 @@ void append(std::vector<int>& to, const std::vector<int>& from) {
 }  // namespace
 
 Selector::Selector(Reading& reading)
-    : reading_(reading), cards_(reading), part_choice_(reading, cards_), mesh_(reading.model, reading.first_sh3n) {
-    if (has_box(cards_)) positions_ = reading.model.nodes.position;
+    : reading_(reading), cards_(reading), part_choice_(reading, cards_), mesh_(reading.model, reading.first_sh3n) {}
+
+void Selector::place_nodes() {
+    placed_ = true;
+    if (has_box(cards_)) positions_ = reading_.model.nodes.position;
 }
 
 std::vector<int> Selector::nodes(const SelectionCard& card) {
@@ -197,6 +200,11 @@ void Selector::complain_of_circle(const SelectionCard& card) {
 }
 
 void Selector::complain_of_type(const SelectionCard& card, CardReader& reader) {
+    if (card.type == "SUBMODEL") {  // reading the deck has turned the others into lists
+        reader.error(-1, "submodel_ID", reader.text(1, 1, 100), "the deck has no such //SUBMODEL",
+                     "Add it, or correct the ids");
+        return;
+    }
     reader.error(-1, "", card.type, fmt::format("this kind of {} is not supported", keyword_of(card.family)),
                  "Select by parts, shells, nodes or a box");
 }
@@ -245,6 +253,7 @@ void Selector::check_unused() {
                           card.type == "SH3N" || card.type == "GENE" || card.type.starts_with("GR");
         if (!list) continue;
         CardReader unused(reading_.deck, *card.card, reading_.model.units, reading_.model.units, reading_.problems);
+        unused.need({"title"});
         listed_ids(unused, 1, "id");
     }
 }

@@ -35,8 +35,7 @@ struct Link {
     Family as = Family::node_group;
 };
 
-/// Positions are those of the moment when the Selector is made: before rigid bodies move their main nodes into the
-/// centre of mass.
+/// Boxes see the nodes where /TRANSFORM has put them and where rigid bodies have not yet moved their main nodes.
 class Selector {
   public:
     explicit Selector(Reading& reading);
@@ -52,6 +51,8 @@ class Selector {
     /// The card with this id; nullptr and an error when there is none, or two.
     /// @param field  for the message; the usual one of the family unless given
     const SelectionCard* find(CardReader& reader, size_t line, Family family, Id id, std::string_view field = {});
+    /// From now on boxes hold what lies in them: the nodes stand where they stay.
+    void place_nodes();
     /// The numbers of a card that nothing has asked for: a word that is none is an error there, too.
     void check_unused();
 
@@ -109,7 +110,8 @@ class Selector {
     PartChoice part_choice_;
     MeshIndex mesh_;
     std::optional<ShellFinder> finder_;  ///< made for the first segment that is given by its nodes
-    std::vector<Vec3> positions_;        ///< of the nodes; empty without a /BOX
+    bool placed_ = false;
+    std::vector<Vec3> positions_;  ///< of the nodes; empty without a /BOX
     std::unordered_set<const SelectionCard*> open_;
     std::unordered_set<const SelectionCard*> read_;  ///< whose problems have been told
     Problems told_before_;
