@@ -59,7 +59,8 @@ using Observer = std::function<void(const CycleRecord&)>;
 /// reference::make_contact, optimized::make_contact or another.
 using MakeContact = std::function<std::unique_ptr<ContactMethod>(const Scene&, int interface)>;
 
-/// A run that cannot go on: NaN, an infinite or vanishing step, a step below that of /DT, or Invn.
+/// A run that cannot go on: a number that is not finite, energy from nowhere, an infinite or vanishing step, a step
+/// below that of /DT, or Invn.
 struct RunStopped : std::runtime_error {
     enum class Why { diverged, inverted_normal, step_too_small };
     RunStopped(Why why_, const std::string& message) : std::runtime_error(message), why(why_) {}
@@ -69,6 +70,9 @@ struct RunStopped : std::runtime_error {
 /// What a run may be given beside its scene.
 struct MarchOptions {
     const ThicknessHistory* thickness = nullptr;  ///< of the shells over time, for Igap 2 and Idel
+    /// What a user should know of the run as a whole: steps above the stability limit, a run of very many cycles. Each
+    /// is said once, however the run ends. May be empty; must not throw.
+    std::function<void(const std::string&)> warn{};
 };
 
 /// Runs the scene to its end time. observe is called once a cycle, before the next one starts.

@@ -143,7 +143,9 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     }
     read_begin(reading);
     check_keywords(reading);
+    read_skews(reading);
     read_functions(reading);
+    read_sensors(reading);
     read_materials(reading);
     read_heat_materials(reading);
     read_mesh(reading);
@@ -158,6 +160,7 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     read_rigid_bodies(reading);
     resolve_interfaces(deck, model, problems);
     read_histories(reading);
+    link_sensors(reading);
     read_engine(reading);
     reading.say_ignored();
     return model;

@@ -31,6 +31,8 @@ int run(const RunArguments& options) {
     const RunSummary summary =
         run_scene(scene, prepared.problems, options.out, report, prepared.options(), make, {options.paraview});
     progress.finish();
+    for (const std::string& warning : summary.warnings)
+        fmt::print(stderr, "{}\n", warning);
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
     fmt::print(stderr, "type21: the run {}: {}. The results until then are in {}\n", name(summary.state),

@@ -69,8 +69,10 @@ RunSummary run_scene(const HostScene& scene, const Problems& problems, const std
         summary.contact = counter.result();
         write_json(json, to_json(summary, scene, warnings));
     };
+    MarchOptions march_options = options;
+    march_options.warn = [&](const std::string& text) { summary.warnings.push_back("warning: " + text); };
     try {
-        march(scene, make, observe, options);
+        march(scene, make, observe, march_options);
     } catch (const RunStopped& stop) {
         const bool diverged = stop.why == RunStopped::Why::diverged;
         finish(diverged ? RunSummary::State::diverged : RunSummary::State::stopped, stop.what());
