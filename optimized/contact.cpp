@@ -127,10 +127,10 @@ ToolLoad Contact::State::tool_load(const Motion& motion) const {
 
 /// By the sensor where there is one, else by Tstart and Tstop.
 /// @manual field Tstart, Tstop, sens_ID; comment 20
-bool Contact::State::active(double time) const {
+bool Contact::State::active(const Motion& motion) const {
     const Interface& card = *laws.card;
-    if (card.sensor >= 0) return laws.model->sensors[static_cast<size_t>(card.sensor)].on(time);
-    return !(time < card.tstart) && !(time > card.tstop);
+    if (card.sensor < 0) return !(motion.time < card.tstart) && !(motion.time > card.tstop);
+    return motion.sensor_on[static_cast<size_t>(card.sensor)];
 }
 
 Contact::Contact(const Scene& scene, int interface, const ContactOptions& options)
@@ -150,7 +150,7 @@ void Contact::step_into(const Motion& motion, ContactStep& step) {
     std::vector<NodeContact> nodes = std::move(step.nodes);
     step = {};
     if (!state.started) state.start(motion);
-    step.active = state.active(motion.time);
+    step.active = state.active(motion);
     if (!step.active) return;
     state.update_gaps(motion, step);
     step.nodes = std::move(nodes);
@@ -173,7 +173,7 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
     LeanStep& lean = state.lean;
     ContactStep gaps;
     if (!state.started) state.start(motion);
-    lean.active = state.active(motion.time);
+    lean.active = state.active(motion);
     lean.force = {};
     lean.step_stiffness = {};
     if (!lean.active) return lean;

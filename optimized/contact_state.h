@@ -45,7 +45,7 @@ struct Contact::State {
     void run(const Motion& motion, const Output& out);
     ContactSums sums() const;
     ToolLoad tool_load(const Motion& motion) const;
-    bool active(double time) const;
+    bool active(const Motion& motion) const;
     bool has(Effect effect) const { return scene.has(interface, effect); }
 
     Scene scene;

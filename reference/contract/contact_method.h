@@ -46,14 +46,14 @@ class ContactMethod {
     ///
     /// **Motion.** position and velocity have one entry for each of ContactModel::nodes, temperature too where the
     /// interface exchanges heat, thickness one for each of ContactModel::shells or none. tools has one pose for each of
-    /// ContactModel::rigid_bodies. All are read only during the call. Sizes are not checked: a span that is too short
-    /// is read beyond its end.
+    /// ContactModel::rigid_bodies, sensor_on one entry for each sensor where the interface has one. All are read only
+    /// during the call. Sizes are not checked: a span that is too short is read beyond its end.
     ///
     /// **Not finite.** Nothing is checked and nothing is thrown. A node whose position is not finite has no impact. A
     /// velocity or temperature that is not finite spoils the forces or the heat of its node, and the sums.
     ///
     /// **Inactive.** Outside of Tstart and Tstop, or while the sensor is off, the result has `active` false and is
-    /// empty otherwise; the history stays as it is.
+    /// empty otherwise; the history stays as it is and goes on when the interface comes back (Formulation 9, step 2).
     ///
     /// **Concurrency.** One call at a time for one object. Different objects may step at the same time, also when they
     /// share a Scene. The optimized implementation uses the threads of the calling TBB arena; its result is the same

@@ -1,4 +1,4 @@
-/// @file Functions of one variable (/FUNCT) and time sensors (/SENSOR/TIME).
+/// @file Functions of one variable (/FUNCT).
 #pragma once
 
 #include <string>
@@ -17,17 +17,6 @@ struct Function {
 
     /// @return the ordinate; 0 for a function without points.  Formulation 9, step 1.
     double operator()(double abscissa) const;
-};
-
-/// On from `delay` on (and off again at `stop`).  Formulation 9, step 2.
-struct TimeSensor {
-    Id id = 0;
-    std::string title;
-    double delay = 0;    ///< [time]
-    double stop = 1e30;  ///< [time]
-
-    /// @param time  t_n [time]
-    bool on(double time) const { return time >= delay && time < stop; }
 };
 
 }  // namespace type21

@@ -29,6 +29,8 @@ struct Motion {
     /// Temperature of each node at the end of the cycle before [temperature]; empty in a scene without heat.
     std::span<const double> temperature;
     std::vector<ToolMotion> tools;  ///< one for each rigid body of the model
+    /// Which sensors are on at t_n, by the index that Interface::sensor holds; may be empty where no interface has one.
+    std::vector<bool> sensor_on;
 };
 
 }  // namespace type21

@@ -25,7 +25,6 @@ struct ContactModel {
     std::vector<Shell> shells;
     std::vector<Surface> surfaces;  ///< secondary and main surfaces of the interfaces
     std::vector<Function> functions;
-    std::vector<TimeSensor> sensors;
     std::vector<RigidBody> rigid_bodies;  ///< the tools; Motion::tools has one pose for each
     std::vector<FrictionModel> friction_models;
     std::vector<Interface> interfaces;

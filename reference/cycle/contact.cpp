@@ -116,7 +116,7 @@ ContactStep Contact::step(const Motion& motion) {
     // Formulation 6, step 1: Inacti acts at time 0, whenever the interface becomes active.
     if (!state.started) state.start(motion);
     // Formulation 9, step 2: activity in time.
-    step.active = active(*state.model, state.card(), motion.time);
+    step.active = active(state.card(), motion);
     if (!step.active) return step;
     // Formulation 2, step 5: gaps that follow the thickness.
     state.update_gaps(motion, step);

@@ -1,6 +1,14 @@
 #include "reference/host/conditions.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 #include <fmt/format.h>
+
+#include "reference/host/finite_check.h"
+#include "reference/host/step_watch.h"
+#include "reference/model/motion_keyword.h"
 
 namespace type21 {
 
@@ -34,6 +42,87 @@ std::vector<int> releasable(const Model& model) {
     return bits;
 }
 
+Mat3 axes_of(const Model& model, int skew) {
+    return skew < 0 ? Mat3(Mat3::Identity()) : model.skews[static_cast<size_t>(skew)].axes;
+}
+
+/// The axis of one triad that is a given axis of another.
+struct SignedAxis {
+    int axis = -1;         ///< -1: none is
+    bool opposed = false;  ///< it points the other way
+};
+
+SignedAxis axis_like(const Model& model, int skew, int axis, int other) {
+    if (skew == other) return {axis, false};
+    constexpr double rounding = 1e-12;  // of two unit vectors that a deck gives with all their digits
+    const Vec3 cosines = axes_of(model, other).transpose() * axes_of(model, skew).col(axis);
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(std::abs(cosines[i]) - 1.0) <= rounding) return {i, cosines[i] < 0};
+    }
+    return {};
+}
+
+/// Fixes the translations (kind 0) or rotations (kind 1) of a /BCS. False where its directions are none of the node's.
+bool fix(const Model& model, const BoundaryCondition& bcs, size_t kind, NodeConditions& node) {
+    bool all = true;
+    for (size_t d = 3 * kind; d < 3 * kind + 3; ++d)
+        all = all && bcs.fixed[d];
+    bool fits = true;
+    for (int d = 0; d < 3; ++d) {
+        if (!bcs.fixed[3 * kind + static_cast<size_t>(d)]) continue;
+        // All three are the same in any axes.
+        const int axis = all ? d : axis_like(model, bcs.skew, d, node.skew[kind]).axis;
+        if (axis < 0) {
+            fits = false;
+        } else {
+            node.fixed[3 * kind + static_cast<size_t>(axis)] = true;
+        }
+    }
+    return fits;
+}
+
+/// The axes in which the conditions of each node hold: those of the first skew that one of them names.
+void choose_axes(const Model& model, std::vector<NodeConditions>& conditions) {
+    const auto choose = [&](int group, size_t kind, int skew) {
+        if (skew < 0) return;
+        for (const int node : model.groups[static_cast<size_t>(group)].nodes) {
+            int& own = conditions[static_cast<size_t>(node)].skew[kind];
+            if (own < 0) own = skew;
+        }
+    };
+    for (const BoundaryCondition& bcs : model.boundary_conditions) {
+        for (const size_t kind : {size_t{0}, size_t{1}}) {
+            const auto first = bcs.fixed.begin() + static_cast<std::ptrdiff_t>(3 * kind);
+            if (std::find(first, first + 3, true) != first + 3) choose(bcs.group, kind, bcs.skew);
+        }
+    }
+    for (const ImposedMotion& motion : model.imposed_motions)
+        choose(motion.group, motion.direction < 3 ? 0 : 1, motion.skew);
+}
+
+/// One problem for each card whose directions do not go with those of other cards.
+void report_conflicts(const Model& model, const std::vector<ConditionConflict>& conflicts, Problems& problems) {
+    std::vector<std::pair<std::string, NodeList>> cards;
+    for (const ConditionConflict& conflict : conflicts) {
+        auto found =
+            std::find_if(cards.begin(), cards.end(), [&](const auto& entry) { return entry.first == conflict.card; });
+        if (found == cards.end()) found = cards.insert(found, {conflict.card, NodeList()});
+        found->second.add(model.nodes.id[static_cast<size_t>(conflict.node)]);
+    }
+    for (const auto& [card, nodes] : cards) {
+        Problem problem;
+        problem.place.file = model.deck_path;
+        problem.card = card;
+        problem.field = "skew_ID";
+        problem.value = nodes.text();
+        problem.rule =
+            "the conditions of a node hold in the axes of the skew that one of them names; this one has a direction "
+            "that is none of these axes";
+        problem.remedy = "Give all conditions of these nodes in one skew";
+        problems.add(problem);
+    }
+}
+
 bool all_translations_driven(const NodeConditions& node, int released) {
     for (int d = 0; d < 3; ++d) {
         const bool freed = (released & (4 >> d)) != 0 && node.imposed[static_cast<size_t>(d)] < 0;
@@ -44,19 +133,31 @@ bool all_translations_driven(const NodeConditions& node, int released) {
 
 }  // namespace
 
-std::vector<NodeConditions> node_conditions(const Model& model) {
+std::vector<NodeConditions> node_conditions(const Model& model, std::vector<ConditionConflict>* conflicts) {
     std::vector<NodeConditions> conditions(static_cast<size_t>(model.nodes.size()));
+    choose_axes(model, conditions);
+    const auto conflict = [&](int node, const std::string& card) {
+        if (conflicts != nullptr) conflicts->push_back({node, card});
+    };
     for (const BoundaryCondition& bcs : model.boundary_conditions) {
         for (const int node : model.groups[static_cast<size_t>(bcs.group)].nodes) {
-            for (size_t d = 0; d < 6; ++d) {
-                if (bcs.fixed[d]) conditions[static_cast<size_t>(node)].fixed[d] = true;
+            NodeConditions& own = conditions[static_cast<size_t>(node)];
+            for (const size_t kind : {size_t{0}, size_t{1}}) {
+                if (!fix(model, bcs, kind, own)) conflict(node, fmt::format("/BCS/{}", bcs.id));
             }
         }
     }
     for (size_t i = 0; i < model.imposed_motions.size(); ++i) {
         const ImposedMotion& motion = model.imposed_motions[i];
+        const size_t kind = motion.direction < 3 ? 0 : 1;
         for (const int node : model.groups[static_cast<size_t>(motion.group)].nodes) {
-            conditions[static_cast<size_t>(node)].imposed[static_cast<size_t>(motion.direction)] = static_cast<int>(i);
+            NodeConditions& own = conditions[static_cast<size_t>(node)];
+            const SignedAxis same = axis_like(model, motion.skew, motion.direction % 3, own.skew[kind]);
+            if (same.axis < 0 || same.opposed) {
+                conflict(node, fmt::format("/{}/{}", keyword_of(motion.kind), motion.id));
+            } else {
+                own.imposed[3 * kind + static_cast<size_t>(same.axis)] = static_cast<int>(i);
+            }
         }
     }
     return conditions;
@@ -74,7 +175,8 @@ std::vector<int> bodies_of_nodes(const Model& model) {
 
 void check_runnable(const HostScene& scene, Problems& problems, bool needs_end) {
     const Model& model = *scene.host;
-    const auto conditions = node_conditions(model);
+    std::vector<ConditionConflict> conflicts;
+    const auto conditions = node_conditions(model, &conflicts);
     const auto body = bodies_of_nodes(model);
     const auto released = releasable(model);
 
@@ -113,6 +215,7 @@ void check_runnable(const HostScene& scene, Problems& problems, bool needs_end) 
         problem.remedy = "give its material a density or add /ADMAS";
         problems.add(problem);
     }
+    report_conflicts(model, conflicts, problems);
     for (const ConcentratedLoad& load : model.loads) {
         if (load.direction < 3) continue;
         NodeList loose;
@@ -148,6 +251,8 @@ void check_runnable(const HostScene& scene, Problems& problems, bool needs_end) 
             problems.add(problem);
         }
     }
+    check_time_span(model, problems);
+    check_finite(model, problems);
     problem = {};
     problem.place.file = model.deck_path;
     if (needs_end && !(model.engine.end_time > 0)) {

@@ -6,33 +6,64 @@ namespace type21 {
 
 namespace {
 
-double sensor_start(const Model& model, int sensor) {
-    return sensor < 0 ? 0.0 : model.sensors[static_cast<size_t>(sensor)].delay;
+double sensor_start(const HostState& state, int sensor) {
+    return sensor < 0 ? 0.0 : state.sensors[static_cast<size_t>(sensor)].since;
 }
 
-bool sensor_on(const Model& model, int sensor, double time) {
-    return sensor < 0 || model.sensors[static_cast<size_t>(sensor)].on(time);
+bool sensor_on(const HostState& state, int sensor) {
+    return sensor < 0 || state.sensors[static_cast<size_t>(sensor)].on;
 }
 
-/// Velocity of one degree of freedom after the step.
-/// @param before    v_{n-1/2}
-/// @param free      acceleration that the forces give
-/// @param travelled displacement so far, for /IMPDISP
+/// A unit vector of an axis of a skew, or of the global axes.
+Vec3 axis_of(const Model& model, int skew, int axis) {
+    return skew < 0 ? Vec3(Vec3::Unit(axis)) : Vec3(model.skews[static_cast<size_t>(skew)].axes.col(axis));
+}
+
+/// What has moved so far, what moves it, and how far it has come: translations or rotations.
+struct Moving {
+    Vec3 before;     ///< v_{n-1/2}
+    Vec3 free;       ///< acceleration that the forces give
+    Vec3 travelled;  ///< since the start, for /IMPDISP
+};
+
+/// Velocity after the step.
 struct Drive {
     const Model& model;
     const HostState& state;
     double step;
     double weight;
 
-    double operator()(const NodeConditions& conditions, int direction, double before, double free,
-                      double travelled) const {
+    /// @param kind  0: translations, 1: rotations
+    Vec3 operator()(const NodeConditions& conditions, int kind, const Moving& moving) const {
+        const int skew = conditions.skew[static_cast<size_t>(kind)];
+        if (skew < 0) return along_axes(conditions, kind, moving);
+        const Mat3& axes = model.skews[static_cast<size_t>(skew)].axes;
+        const Mat3 to_local = axes.transpose();
+        return axes * along_axes(conditions, kind,
+                                 {to_local * moving.before, to_local * moving.free, to_local * moving.travelled});
+    }
+
+  private:
+    Vec3 along_axes(const NodeConditions& conditions, int kind, const Moving& moving) const {
+        Vec3 velocity;
+        for (int d = 0; d < 3; ++d)
+            velocity[d] = one(conditions, 3 * kind + d, moving.before[d], moving.free[d], moving.travelled[d]);
+        return velocity;
+    }
+
+    double one(const NodeConditions& conditions, int direction, double before, double free, double travelled) const {
         const auto d = static_cast<size_t>(direction);
         if (conditions.imposed[d] >= 0) {
+            using Kind = ImposedMotion::Kind;
             const ImposedMotion& motion = model.imposed_motions[static_cast<size_t>(conditions.imposed[d])];
-            const bool velocity = motion.kind == ImposedMotion::Kind::velocity;
-            const ImposedValue imposed =
-                imposed_value(model, motion, state.time, state.time + (velocity ? 0.5 : 1.0) * step);
-            if (imposed.acts) return velocity ? imposed.value : (imposed.value - travelled) / step;
+            // An acceleration is that of t_n, like a force.
+            const double ahead = motion.kind == Kind::velocity ? 0.5 : (motion.kind == Kind::displacement ? 1.0 : 0.0);
+            const ImposedValue imposed = imposed_value(model, motion, state, state.time + ahead * step);
+            if (imposed.acts) {
+                if (motion.kind == Kind::velocity) return imposed.value;
+                if (motion.kind == Kind::acceleration) return before + imposed.value * weight;
+                return (imposed.value - travelled) / step;
+            }
         }
         if (conditions.fixed[d]) return 0.0;
         return before + free * weight;
@@ -63,14 +94,8 @@ void advance_body(const Model& model, const CycleForces& forces, size_t b, const
     const Vec3 force = forces.tool_force[b] + forces.load_force[b];
     const Vec3 free = tool.mass > 0 ? Vec3(force / tool.mass) : Vec3(Vec3::Zero());
     const Vec3 free_angular = angular_acceleration(tool, body, forces.tool_moment[b] + forces.load_moment[b]);
-    const Vec3 travelled = body.position - tool.center;
-    Vec3 velocity;
-    Vec3 angular_velocity;
-    for (int d = 0; d < 3; ++d) {
-        velocity[d] = drive(conditions, d, body.velocity[d], free[d], travelled[d]);
-        angular_velocity[d] =
-            drive(conditions, d + 3, body.angular_velocity[d], free_angular[d], body.imposed_angle[d]);
-    }
+    const Vec3 velocity = drive(conditions, 0, {body.velocity, free, body.position - tool.center});
+    const Vec3 angular_velocity = drive(conditions, 1, {body.angular_velocity, free_angular, body.imposed_angle});
     const Vec3 gained = velocity - body.velocity;
     state.acceleration[main] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
     state.reaction[main] +=
@@ -91,11 +116,7 @@ void advance_free_node(const Model& model, const CycleForces& forces, size_t n, 
     const double mass = model.nodal_mass[n];
     const Vec3 force = forces.contact[n] + forces.load[n];
     const Vec3 free = mass > 0 ? Vec3(force / mass) : Vec3(Vec3::Zero());
-    Vec3 velocity;
-    for (int d = 0; d < 3; ++d) {
-        velocity[d] =
-            drive(state.conditions[n], d, state.velocity[n][d], free[d], state.position[n][d] - state.start[n][d]);
-    }
+    const Vec3 velocity = drive(state.conditions[n], 0, {state.velocity[n], free, state.position[n] - state.start[n]});
     const Vec3 gained = velocity - state.velocity[n];
     state.acceleration[n] = drive.weight > 0 ? Vec3(gained / drive.weight) : Vec3(Vec3::Zero());
     state.reaction[n] += mass * gained - held_against(forces.contact[n], forces.load[n], state) * drive.weight;
@@ -105,9 +126,9 @@ void advance_free_node(const Model& model, const CycleForces& forces, size_t n, 
 
 }  // namespace
 
-ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, double now, double at) {
-    if (now < motion.start || now > motion.stop || !sensor_on(model, motion.sensor, now)) return {};
-    const double time = at - sensor_start(model, motion.sensor);
+ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, const HostState& state, double at) {
+    if (state.time < motion.start || state.time > motion.stop || !sensor_on(state, motion.sensor)) return {};
+    const double time = at - sensor_start(state, motion.sensor);
     return {true, motion.scale_y * model.functions[static_cast<size_t>(motion.function)](time / motion.scale_x)};
 }
 
@@ -120,21 +141,21 @@ CycleForces no_forces(const Model& model) {
     return forces;
 }
 
-void add_loads(const Model& model, const HostState& state, CycleForces& forces) {
+namespace {
+
+void add_forces(const Model& model, const HostState& state, CycleForces& forces) {
     for (const ConcentratedLoad& load : model.loads) {
-        if (!sensor_on(model, load.sensor, state.time)) continue;
-        const double time = state.time - sensor_start(model, load.sensor);
+        if (!sensor_on(state, load.sensor)) continue;
+        const double time = state.time - sensor_start(state, load.sensor);
         const double value = load.scale_y * model.functions[static_cast<size_t>(load.function)](time / load.scale_x);
+        const Vec3 vector = value * axis_of(model, load.skew, load.direction % 3);
         for (const int node : model.groups[static_cast<size_t>(load.group)].nodes) {
             const int body = state.body[static_cast<size_t>(node)];
-            const int axis = load.direction % 3;
             if (body < 0) {
-                if (load.direction < 3) forces.load[static_cast<size_t>(node)][axis] += value;
+                if (load.direction < 3) forces.load[static_cast<size_t>(node)] += vector;
                 continue;
             }
             const auto b = static_cast<size_t>(body);
-            Vec3 vector = Vec3::Zero();
-            vector[axis] = value;
             if (load.direction >= 3) {
                 forces.load_moment[b] += vector;
                 continue;
@@ -144,6 +165,42 @@ void add_loads(const Model& model, const HostState& state, CycleForces& forces) 
                 (state.position[static_cast<size_t>(node)] - state.bodies[b].position).cross(vector);
         }
     }
+}
+
+/// A body falls as a whole, where its main node is in the group.
+void add_gravities(const Model& model, const HostState& state, CycleForces& forces) {
+    for (const Gravity& gravity : model.gravities) {
+        if (!sensor_on(state, gravity.sensor)) continue;
+        const double time = state.time - sensor_start(state, gravity.sensor);
+        const double value =
+            gravity.function < 0
+                ? gravity.scale_y
+                : gravity.scale_y * model.functions[static_cast<size_t>(gravity.function)](time / gravity.scale_x);
+        const Vec3 acceleration = value * axis_of(model, gravity.skew, gravity.direction);
+        const auto pull = [&](int node) {
+            const int body = state.body[static_cast<size_t>(node)];
+            if (body < 0) {
+                forces.load[static_cast<size_t>(node)] += model.nodal_mass[static_cast<size_t>(node)] * acceleration;
+                return;
+            }
+            const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(body)];
+            if (node == tool.main_node) forces.load_force[static_cast<size_t>(body)] += tool.mass * acceleration;
+        };
+        if (gravity.group < 0) {
+            for (int node = 0; node < model.nodes.size(); ++node)
+                pull(node);
+        } else {
+            for (const int node : model.groups[static_cast<size_t>(gravity.group)].nodes)
+                pull(node);
+        }
+    }
+}
+
+}  // namespace
+
+void add_loads(const Model& model, const HostState& state, CycleForces& forces) {
+    add_forces(model, state, forces);
+    add_gravities(model, state, forces);
 }
 
 void advance(const Model& model, const CycleForces& forces, double step, HostState& state) {

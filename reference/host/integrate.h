@@ -12,17 +12,17 @@ namespace type21 {
 /// Forces of one cycle at t_n. contact and load are apart since a reaction holds against the contact only.
 struct CycleForces {
     std::vector<Vec3> contact;      ///< on nodes [force]
-    std::vector<Vec3> load;         ///< on nodes, /CLOAD [force]
+    std::vector<Vec3> load;         ///< on nodes, /CLOAD and /GRAV [force]
     std::vector<Vec3> tool_force;   ///< contact and tool damping, per body [force]
     std::vector<Vec3> tool_moment;  ///< about x_G, per body [moment]
-    std::vector<Vec3> load_force;   ///< /CLOAD on main nodes, per body [force]
-    std::vector<Vec3> load_moment;  ///< per body [moment]
+    std::vector<Vec3> load_force;   ///< /CLOAD and /GRAV on bodies [force]
+    std::vector<Vec3> load_moment;  ///< per body, about x_G [moment]
 };
 
 /// All zero, with the sizes of the model.
 CycleForces no_forces(const Model& model);
 
-/// Adds the /CLOAD of time t_n, those whose sensor is on.
+/// Adds the /CLOAD and /GRAV of time t_n, those whose sensor is on.
 void add_loads(const Model& model, const HostState& state, CycleForces& forces);
 
 /// Moves everything from t_n to t_{n+1} and sums the reactions of cycle n.
@@ -33,10 +33,10 @@ void advance(const Model& model, const CycleForces& forces, double step, HostSta
 /// off.
 struct ImposedValue {
     bool acts = false;
-    double value = 0;  ///< [velocity] or [length], or their angular counterparts
+    double value = 0;  ///< [velocity], [length] or [length/time^2], or their angular counterparts
 };
-/// @param now  t_n, at which the sensor is asked [time]
-/// @param at   time of the value itself [time]
-ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, double now, double at);
+/// @param state  of t_n, with its sensors
+/// @param at     time of the value itself [time]
+ImposedValue imposed_value(const Model& model, const ImposedMotion& motion, const HostState& state, double at);
 
 }  // namespace type21

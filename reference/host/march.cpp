@@ -1,13 +1,17 @@
 #include "reference/host/march.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 
+#include "reference/host/energy_watch.h"
+#include "reference/host/finite_check.h"
 #include "reference/host/integrate.h"
 #include "reference/host/saved_state.h"
 #include "reference/host/shell_conduction.h"
+#include "reference/host/step_watch.h"
 #include "reference/host/time_step.h"
+#include "reference/host/when.h"
 
 namespace type21 {
 
@@ -105,45 +109,6 @@ void release(const Model& model, const std::vector<ContactStep>& steps, HostStat
     }
 }
 
-std::string when(const HostState& state, const UnitSystem& units) {
-    return fmt::format("in cycle {} at t = {:.9g} {}", state.cycle, state.time, units.name(dim::time));
-}
-
-void check_step(const Model& model, const HostState& state, double step) {
-    if (std::isfinite(step) && step > 0) {
-        if (step < model.engine.smallest_step) {
-            throw RunStopped(RunStopped::Why::step_too_small,
-                             fmt::format("the time step {:.6g} {unit} is below the smallest of /DT, {:.6g} {unit}, {}",
-                                         step, model.engine.smallest_step, when(state, model.units),
-                                         fmt::arg("unit", model.units.name(dim::time))));
-        }
-        return;
-    }
-    throw RunStopped(
-        RunStopped::Why::diverged,
-        fmt::format("the time step is {} {}, {}: nothing limits it; give a step by /DTIX or an interval by /TFILE",
-                    step, model.units.name(dim::time), when(state, model.units)));
-}
-
-void check_finite(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
-    const auto stop = [&](const char* what, int node) {
-        throw RunStopped(RunStopped::Why::diverged,
-                         fmt::format("the {} of node {} is not finite, {}", what,
-                                     model.nodes.id[static_cast<size_t>(node)], when(state, model.units)));
-    };
-    for (size_t i = 0; i < steps.size(); ++i) {
-        for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
-            if (!steps[i].nodes[n].force.allFinite()) stop("contact force", model.interfaces[i].secondary.node[n]);
-        }
-    }
-    for (size_t n = 0; n < state.position.size(); ++n) {
-        if (!state.position[n].allFinite()) stop("position", static_cast<int>(n));
-        if (!state.velocity[n].allFinite()) stop("velocity", static_cast<int>(n));
-        if (!state.temperature.empty() && !std::isfinite(state.temperature[n]))
-            stop("temperature", static_cast<int>(n));
-    }
-}
-
 /// @manual field Invn; comment 21
 void check_normals(const Model& model, const HostState& state, const std::vector<ContactStep>& steps) {
     for (size_t i = 0; i < steps.size(); ++i) {
@@ -168,6 +133,40 @@ void check_normals(const Model& model, const HostState& state, const std::vector
     }
 }
 
+/// Says at the end of a run, however it ends, what its steps were.
+class StepReport {
+  public:
+    StepReport(const Model& model, const HostState& state, const MarchOptions& options)
+        : model_(model), state_(state), options_(options) {}
+    StepReport(const StepReport&) = delete;
+    StepReport& operator=(const StepReport&) = delete;
+    ~StepReport() {
+        if (!options_.warn) return;
+        // The cycle in which a run stops has not been counted yet.
+        if (const auto text = warning_of(excess_, model_, std::max(state_.cycle, excess_.last_cycle + 1)))
+            options_.warn(*text);
+    }
+
+    void note(const std::vector<ContactStep>& steps, const StepLimits& limits, double step) {
+        note_excess(model_, state_, steps, limits, step, excess_);
+        if (excess_.long_run || !is_long_run(model_, state_, step)) return;
+        excess_.long_run = true;
+        if (options_.warn) options_.warn(warning_of_long_run(model_, state_, step));
+    }
+
+    /// What a checkpoint holds.
+    template <class Archive>
+    void visit_state(Archive& archive) {
+        archive(excess_);
+    }
+
+  private:
+    const Model& model_;
+    const HostState& state_;
+    const MarchOptions& options_;
+    StepExcess excess_;
+};
+
 }  // namespace
 
 void march(const HostScene& scene, const MakeContact& make_contact, const Observer& observe,
@@ -181,6 +180,8 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
     HostState state(model);
     if (options.restart == nullptr) move_out_initial_penetrations(scene, contacts, state);
     TimeStep time_step(scene);
+    StepReport step_report(model, state, options);
+    EnergyWatch energy(model, state);
     std::vector<InterfaceTotals> totals(contacts.size());
 
     if (options.thickness != nullptr) {
@@ -189,7 +190,7 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
     }
 
     // All that one cycle leaves to the next: what is added to the march is added here, too.
-    const auto remembered = [&](auto& archive) { archive(state, time_step, totals); };
+    const auto remembered = [&](auto& archive) { archive(state, time_step, totals, step_report, energy); };
     const std::function<void(StateWriter&)> save = [&](StateWriter& out) {
         remembered(out);
         for (const auto& contact : contacts)
@@ -209,6 +210,7 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         if (options.between_cycles && state.cycle > first_cycle)
             options.between_cycles({state.cycle, state.time, save});
         // Formulation 11, step 2: contact, time step, sums, motion, heat, output.
+        state.update_sensors(model);
         state.impose_temperatures(model);
         const Motion motion = state.motion(reading);
         for (size_t i = 0; i < contacts.size(); ++i)
@@ -216,6 +218,7 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         check_finite(model, state, steps);
         const double step = time_step.next(state, steps);
         check_step(model, state, step);
+        step_report.note(steps, time_step.limits(), step);
 
         const double weight = reading.impulse_weight({state.step, 0.5 * (state.step + step), state.weight_before});
         for (size_t i = 0; i < totals.size(); ++i)
@@ -224,11 +227,14 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         // The record of cycle n holds x_n and v_{n-1/2}, but reactions including cycle n: they are known once it has
         // moved on.
         next = state;
+        note_forces(steps, next.last_force);
         release(model, steps, next);
-        advance(model, forces_of(model, state, steps), step, next);
+        const CycleForces forces = forces_of(model, state, steps);
+        advance(model, forces, step, next);
         heat_nodes(model, steps, shell_conduction(model, state, state.step), next);
         // The thickness of the next contact is that of the end of this cycle.
         if (options.thickness != nullptr) options.thickness->at(state.time, next.thickness);
+        check_finite(model, state, next, totals);
         CycleRecord record;
         record.cycle = state.cycle;
         record.time = state.time;
@@ -247,9 +253,10 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         record.last = next.time > model.engine.end_time;
         observe(record);
         check_normals(model, state, steps);
+        energy.add(state, next, forces, steps);
         std::swap(state, next);
     }
-    if (state.cycle > 0) check_finite(model, state, {});
+    if (state.cycle > 0) check_finite(model, state, std::vector<ContactStep>{});
 }
 
 }  // namespace type21

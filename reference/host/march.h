@@ -59,8 +59,8 @@ using Observer = std::function<void(const CycleRecord&)>;
 /// reference::make_contact, optimized::make_contact or another.
 using MakeContact = std::function<std::unique_ptr<ContactMethod>(const Scene&, int interface)>;
 
-/// A run that cannot go on: NaN, an infinite or vanishing step, a step below that of /DT, or Invn; or one that was told
-/// not to.
+/// A run that cannot go on: a number that is not finite, energy from nowhere, an infinite or vanishing step, a step
+/// below that of /DT, or Invn; or one that was told not to.
 struct RunStopped : std::runtime_error {
     enum class Why { diverged, inverted_normal, step_too_small, interrupted };
     RunStopped(Why why_, const std::string& message) : std::runtime_error(message), why(why_) {}
@@ -82,6 +82,9 @@ struct MarchOptions {
     /// What BetweenCycles::save wrote in a run of the same scene, contacts and thickness: the run goes on there, and
     /// every later cycle has the same bits. Null: from time 0.
     StateReader* restart = nullptr;
+    /// What a user should know of the run as a whole: steps above the stability limit, a run of very many cycles. Each
+    /// is said once, however the run ends. May be empty; must not throw.
+    std::function<void(const std::string&)> warn{};
 };
 
 /// Runs the scene to its end time. observe is called once a cycle, before the next one starts.

@@ -8,9 +8,11 @@
 
 namespace type21 {
 
+/// The skew of a condition is of the model.
 template <class Archive>
 void visit_state(Archive& archive, NodeConditions& node) {
-    auto& [fixed, imposed] = node;
+    auto& [fixed, imposed, skew] = node;
+    static_cast<void>(skew);
     for (bool& one : fixed)
         archive(one);
     for (int& one : imposed)
@@ -27,9 +29,10 @@ void visit_state(Archive& archive, BodyState& body) {
 template <class Archive>
 void visit_state(Archive& archive, HostState& state) {
     auto& [conditions, body, start, position, velocity, acceleration, displacement, angular_velocity, reaction,
-           reaction_moment, bodies, thickness, temperature, time, step, weight_before, cycle] = state;
+           reaction_moment, bodies, thickness, temperature, sensors, last_force, time, step, weight_before, cycle] =
+        state;
     archive(conditions, start, position, velocity, acceleration, displacement, angular_velocity, reaction,
-            reaction_moment, bodies, thickness, temperature, time, step, weight_before, cycle);
+            reaction_moment, bodies, thickness, temperature, sensors, last_force, time, step, weight_before, cycle);
 }
 
 template <class Archive>

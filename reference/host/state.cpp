@@ -24,6 +24,25 @@ std::vector<double> initial_temperatures(const Model& model) {
     return temperature;
 }
 
+/// The angular velocity counts for the main node of a rigid body only: single nodes do not turn.
+void give_velocity(const Model& model, const InitialVelocity& initial, HostState& state) {
+    for (const int node : model.groups[static_cast<size_t>(initial.group)].nodes) {
+        const auto n = static_cast<size_t>(node);
+        switch (initial.kind) {
+            case InitialVelocity::Kind::translation:
+                state.velocity[n] = initial.velocity;
+                break;
+            case InitialVelocity::Kind::rotation:
+                state.angular_velocity[n] = initial.angular_velocity;
+                break;
+            case InitialVelocity::Kind::axis:
+                state.velocity[n] = initial.velocity + initial.angular_velocity.cross(state.start[n] - initial.origin);
+                state.angular_velocity[n] = initial.angular_velocity;
+                break;
+        }
+    }
+}
+
 }  // namespace
 
 HostState::HostState(const Model& model)
@@ -34,18 +53,26 @@ HostState::HostState(const Model& model)
     position = start;
     velocity.assign(count, Vec3::Zero());
     acceleration = displacement = angular_velocity = reaction = reaction_moment = velocity;
-    for (const InitialVelocity& initial : model.initial_velocities) {
-        for (const int node : model.groups[static_cast<size_t>(initial.group)].nodes)
-            velocity[static_cast<size_t>(node)] = initial.velocity;
-    }
+    for (const InitialVelocity& initial : model.initial_velocities)
+        give_velocity(model, initial, *this);
     for (const RigidBody& tool : model.rigid_bodies) {
         BodyState state;
         state.position = tool.center;
         state.velocity = velocity[static_cast<size_t>(tool.main_node)];
+        state.angular_velocity = angular_velocity[static_cast<size_t>(tool.main_node)];
         bodies.push_back(state);
+    }
+    for (size_t n = 0; n < count; ++n) {
+        if (body[n] < 0) angular_velocity[n].setZero();
     }
     carry_body_nodes(model);
     temperature = initial_temperatures(model);
+    sensors.resize(model.sensors.size());
+    last_force.resize(model.interfaces.size());
+}
+
+void HostState::update_sensors(const Model& model) {
+    type21::update_sensors(model, time, position, last_force, sensors);
 }
 
 void HostState::impose_temperatures(const Model& model) {
@@ -53,9 +80,9 @@ void HostState::impose_temperatures(const Model& model) {
     for (const ImposedTemperature& imposed : model.imposed_temperatures) {
         double begin = 0;
         if (imposed.sensor >= 0) {
-            const TimeSensor& sensor = model.sensors[static_cast<size_t>(imposed.sensor)];
-            if (!sensor.on(time)) continue;
-            begin = sensor.delay;
+            const SensorState& sensor = sensors[static_cast<size_t>(imposed.sensor)];
+            if (!sensor.on) continue;
+            begin = sensor.since;
         }
         if (time < imposed.start || time > imposed.stop) continue;
         const double value =
@@ -96,6 +123,9 @@ Motion HostState::motion(const HostReading& reading) const {
         const Rotation& rotation = reading.tool_rotation(state.rotation, state.rotation_before);
         m.tools.push_back({state.position, rotation.toRotationMatrix(), state.velocity, state.angular_velocity});
     }
+    m.sensor_on.reserve(sensors.size());
+    for (const SensorState& sensor : sensors)
+        m.sensor_on.push_back(sensor.on);
     return m;
 }
 

@@ -7,6 +7,7 @@
 #include "reference/host/conditions.h"
 #include "reference/host/host_reading.h"
 #include "reference/host/rotation.h"
+#include "reference/host/sensors.h"
 #include "reference/model/host_scene.h"
 
 namespace type21 {
@@ -43,6 +44,9 @@ struct HostState {
     std::vector<double> thickness;  ///< of each shell at the end of the cycle before; empty while none changes [length]
     std::vector<double> temperature;  ///< of each node; empty in a scene without heat [temperature]
 
+    std::vector<SensorState> sensors;        ///< like Model::sensors, at t_n
+    std::vector<InterfaceForce> last_force;  ///< of each interface in the cycle before [force]
+
     double time = 0;           ///< t_n [time]
     double step = 0;           ///< dt1 [time]
     double weight_before = 0;  ///< (dt1 + dt2)/2 of the cycle before [time]
@@ -50,6 +54,8 @@ struct HostState {
 
     /// What a contact may know of this cycle. Its spans point into this state.  Formulation 11, step 1.
     Motion motion(const HostReading& reading) const;
+    /// Brings the sensors to t_n.  Formulation 9, step 2.
+    void update_sensors(const Model& model);
     /// Gives the nodes of /IMPTEMP their temperature of t_n; nothing in a scene without heat.
     void impose_temperatures(const Model& model);
 };

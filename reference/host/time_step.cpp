@@ -18,19 +18,18 @@ double reach_of(const Interface& interface, double smallest, double largest) {
     return std::max({double(interface.gapmin), smallest, 0.1 * far});
 }
 
+}  // namespace
+
 double stable_step(double mass, double stiffness) {
     return mass > 0 && stiffness > 0 ? std::sqrt(2.0 * mass / stiffness) : infinite;
 }
 
-/// Of a tool with its damping: K (sqrt(1 + a^2) + a)^2 in place of K, a = C / sqrt(4 M K).
 double damped_step(double inertia, double stiffness, double damping) {
     if (!(inertia > 0) || !(stiffness > 0)) return infinite;
     const double ratio = damping / std::sqrt(4.0 * inertia * stiffness);
     const double factor = std::sqrt(1.0 + ratio * ratio) + ratio;
     return stable_step(inertia, stiffness * factor * factor);
 }
-
-}  // namespace
 
 TimeStep::TimeStep(const HostScene& scene) : scene_(scene) {
     const Model& model = *scene.host;

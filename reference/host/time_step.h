@@ -15,6 +15,11 @@ struct StepLimits {
     double thermal = 0;    ///< scale * 2 C / conductance over the nodes of the blank [time]
 };
 
+/// sqrt(2 m / K) [time]; infinite without mass or stiffness.
+double stable_step(double mass, double stiffness);
+/// Of a tool with its damping: K (sqrt(1 + a^2) + a)^2 in place of K, a = C / sqrt(4 M K) [time].
+double damped_step(double inertia, double stiffness, double damping);
+
 /// Remembers the smallest c of each interface.
 class TimeStep {
   public:

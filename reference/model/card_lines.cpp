@@ -9,7 +9,8 @@ namespace {
 using Lines = std::vector<std::string_view>;
 
 /// One row a card. Lines that Radioss reads as optional are not here: the thickness of /PROP/VOID, and what a newer
-/// version of the card has behind (Tstop of /SENSOR/TIME since 2023, Tstart of /INIVEL/TRA since 2025).
+/// version of the card has behind (Tstart of /INIVEL/TRA since 2025). /SENSOR, /SKEW and /FRAME are judged where a card
+/// uses one.
 const std::map<Keyword, Lines>& table() {
     static const std::map<Keyword, Lines> lines{
         {Keyword::begin, {"run name", "Invers", "input units", "work units"}},
@@ -26,13 +27,17 @@ const std::map<Keyword, Lines>& table() {
         {Keyword::imposed_velocity, {"title", "fct_IDT Dir ... grnod_ID", "Ascale_x Fscale_y Tstart Tstop"}},
         {Keyword::imposed_displacement, {"title", "fct_IDT Dir ... grnod_ID", "Ascale_x Fscale_y Tstart Tstop"}},
         {Keyword::imposed_temperature, {"title", "fct_IDT sens_ID grnod_ID", "Ascale_x Fscale_y Tstart Tstop"}},
-        {Keyword::initial_velocity, {"title", "Vx Vy Vz grnod_ID"}},
+        {Keyword::imposed_acceleration, {"title", "fct_IDT Dir ... grnod_ID", "Ascale_x Fscale_y Tstart Tstop"}},
+        {Keyword::initial_translation, {"title", "Vx Vy Vz grnod_ID"}},
+        {Keyword::initial_rotation, {"title", "VRx VRy VRz grnod_ID"}},
+        {Keyword::initial_axis, {"title", "Dir frame_ID grnod_ID", "Vxt Vyt Vzt Vr"}},
+        {Keyword::gravity, {"title", "fct_IDT Dir ... grnod_ID ..."}},
+        {Keyword::move_function, {"title", "Ascale_x Fscale_y Ashift_x Fshift_y"}},
         {Keyword::initial_temperature, {"title", "T0 grnod_ID"}},
         {Keyword::added_mass_each, {"title", "Mass grnod_ID"}},
         {Keyword::added_mass_shared, {"title", "Mass grnod_ID"}},
         {Keyword::load, {"title", "fct_IDT Dir ... grnod_ID ..."}},
         {Keyword::function, {"title"}},
-        {Keyword::sensor, {"title", "Tdelay"}},
         {Keyword::friction, {"title", "Ifric Ifiltr Xfreq", "C1 C2 C3 C4 C5", "C6 Fric VISf"}},
         {Keyword::history_interface, {"title", "variables"}},
         {Keyword::history_node, {"title", "variables"}},

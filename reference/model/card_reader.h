@@ -27,6 +27,8 @@ class CardReader {
     /// Line of the deck for messages and origins; the keyword's when the card has no such data line.
     int line_number(size_t line) const;
     std::string file() const;
+    /// "/IMPVEL/9": as the deck writes it.
+    const std::string& keyword() const { return card_.keyword; }
 
     std::string text(size_t line, int first, int last) const;
     Id integer(size_t line, int first, int last, std::string_view field);

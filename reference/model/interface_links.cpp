@@ -50,7 +50,7 @@ void link_interface(const CardValidator& validator) {
     Interface& it = validator.interface;
     it.secondary_surface = surface(validator, "surf_IDs", it.surf_secondary);
     it.main_surface = surface(validator, "surf_IDm", it.surf_main);
-    it.sensor = optional_link(validator, "sens_ID", it.sens_id, validator.model.sensors, "/SENSOR/TIME");
+    it.sensor = optional_link(validator, "sens_ID", it.sens_id, validator.model.sensors, "/SENSOR");
     it.friction_model = optional_link(validator, "fric_ID", it.fric_id, validator.model.friction_models, "/FRICTION");
     if (uses_friction_function(it))
         it.function_friction = optional_link(validator, "fct_IDF", it.fct_idf, validator.model.functions, "/FUNCT");

@@ -8,6 +8,7 @@
 
 #include "reference/contract/scene.h"
 #include "reference/model/motion_conditions.h"
+#include "reference/model/sensor.h"
 #include "reference/model/units.h"
 
 namespace type21 {
@@ -33,6 +34,7 @@ struct EngineControl {
     bool nodal_step = false;             ///< /DT/NODA
     double step_scale = 0.9;             ///< /DT/NODA scale factor [-]
     double smallest_step = 0;            ///< /DT/NODA[/STOP]: the run stops below it [time]
+    std::optional<double> energy_limit;  ///< /STOP, Emax: energy from nowhere over the energy put in [-]
 };
 
 /// All of a deck. What the contact may see of it is the base; the rest is for the host and the histories.
@@ -47,10 +49,14 @@ struct Model : ContactModel {
 
     std::vector<Property> properties;
     std::vector<NodeGroup> groups;
+    std::vector<Skew> skews;        ///< /SKEW/FIX, then /FRAME/FIX
+    std::vector<Sensor> sensors;    ///< Interface::sensor is an index into these
+    std::vector<int> sensor_order;  ///< those that something uses; a sensor stands behind those it looks at
     std::vector<BoundaryCondition> boundary_conditions;
     std::vector<ImposedMotion> imposed_motions;
     std::vector<InitialVelocity> initial_velocities;
     std::vector<ConcentratedLoad> loads;
+    std::vector<Gravity> gravities;
     std::vector<AddedMass> added_masses;
     std::vector<InitialTemperature> initial_temperatures;
     std::vector<ImposedTemperature> imposed_temperatures;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void read_boundary_conditions(Reading& reading) {
             BoundaryCondition condition;
             condition.id = id;
             read_codes(reader, condition.fixed);
-            refuse_unless_zero(reader, 1, 11, 20, "skew_ID", "local axes are");
+            condition.skew = skew_reference(reading, reader, 1, 11, "skew_ID", reading.skews);
             condition.group = reading.reference(reader, 1, 21, 30, "grnod_ID", reading.groups, true);
             warn_of_excess(reader, 2);
             reading.model.boundary_conditions.push_back(condition);
@@ -42,8 +43,21 @@ void read_boundary_conditions(Reading& reading) {
 
 /// Dimension of the ordinate: a rotation is in radians.
 Dimension ordinate(ImposedMotion::Kind kind, int direction) {
-    if (kind == ImposedMotion::Kind::velocity) return direction < 3 ? dim::velocity : dim::frequency;
-    return direction < 3 ? dim::length : dim::none;
+    const bool translation = direction < 3;
+    if (kind == ImposedMotion::Kind::velocity) return translation ? dim::velocity : dim::frequency;
+    if (kind == ImposedMotion::Kind::acceleration) return translation ? dim::acceleration : dim::angular_acceleration;
+    return translation ? dim::length : dim::none;
+}
+
+/// The axes of skew_ID, or those of frame_ID: a frame that does not move gives directions only.
+int axes_of_motion(Reading& reading, CardReader& reader, bool with_frame) {
+    const int skew = skew_reference(reading, reader, 1, 21, "skew_ID", reading.skews);
+    if (!with_frame) return skew;
+    const int frame = skew_reference(reading, reader, 1, 51, "frame_ID", reading.frames);
+    if (skew < 0 || frame < 0) return std::max(skew, frame);
+    reader.error(1, "frame_ID", reader.text(1, 51, 60), "a motion is given in the axes of a skew or of a frame",
+                 "Set skew_ID or frame_ID to 0");
+    return skew;
 }
 
 void read_imposed(Reading& reading, Keyword keyword, const std::string& name, ImposedMotion::Kind kind) {
@@ -56,11 +70,11 @@ void read_imposed(Reading& reading, Keyword keyword, const std::string& name, Im
             motion.kind = kind;
             motion.function = reading.reference(reader, 1, 1, 10, "fct_IDT", reading.functions, true);
             motion.direction = direction(reader, 1, 11, 20);
-            refuse_unless_zero(reader, 1, 21, 30, "skew_ID", "local axes are");
-            motion.sensor = reading.reference(reader, 1, 31, 40, "sens_ID", reading.sensors, false);
+            const bool with_frame = kind != ImposedMotion::Kind::acceleration;
+            motion.skew = axes_of_motion(reading, reader, with_frame);
+            motion.sensor = sensor_reference(reading, reader, 1, 31);
             motion.group = reading.reference(reader, 1, 41, 50, "grnod_ID", reading.groups, true);
-            refuse_unless_zero(reader, 1, 51, 60, "frame_ID", "moving frames are");
-            refuse_unless_zero(reader, 1, 61, 70, "Icoor", "cylindrical axes are");
+            if (with_frame) refuse_unless_zero(reader, 1, 61, 70, "Icoor", "cylindrical axes are");
             motion.scale_x = scale(reader, 2, 1, "Ascale_x", dim::time);
             motion.scale_y = scale(reader, 2, 21, "Fscale_y", ordinate(kind, motion.direction));
             motion.start = reader.real(2, 41, 60, "Tstart", dim::time);
@@ -78,11 +92,12 @@ double scale(CardReader& reader, size_t line, int first, std::string_view field,
     return value != 0 ? value : conversion(reader.from(), reader.to(), dimension);
 }
 
-/// /BCS, /IMPVEL and /IMPDISP.
+/// /BCS, /IMPVEL, /IMPDISP and /IMPACC.
 void read_conditions(Reading& reading) {
     read_boundary_conditions(reading);
     read_imposed(reading, Keyword::imposed_velocity, "/IMPVEL", ImposedMotion::Kind::velocity);
     read_imposed(reading, Keyword::imposed_displacement, "/IMPDISP", ImposedMotion::Kind::displacement);
+    read_imposed(reading, Keyword::imposed_acceleration, "/IMPACC", ImposedMotion::Kind::acceleration);
 }
 
 }  // namespace type21

@@ -170,11 +170,17 @@ void read_interval(EngineCard& card, EngineControl& engine) {
     }
 }
 
-/// /STOP: the limits of energy and mass error that end a Radioss run; this program has none.
-void read_stop(EngineCard& card) {
-    for (size_t i = 0; i < 3; ++i) {
-        if (card.number(i, "limit") == 0) continue;
-        card.ignore(Severity::warning, true, "the run is not stopped by limits of energy or mass error here",
+/// /STOP: Emax ends a run whose energy grows; the limits of mass have nothing to judge, since no mass is added here.
+void read_stop(EngineCard& card, EngineControl& engine) {
+    const double energy = card.number(0, "Emax");
+    if (energy < 0) {
+        card.error("Emax", energy, dim::none, "a limit of energy is not negative", "Give 0 for the default");
+    } else if (energy > 0) {
+        engine.energy_limit = energy;
+    }
+    for (size_t i = 1; i < 3; ++i) {
+        if (card.number(i, i == 1 ? "Mmax" : "Nmax") == 0) continue;
+        card.ignore(Severity::warning, true, "the run is not stopped by limits of mass here: no mass is added",
                     "Nothing needs to be done");
         return;
     }
@@ -193,7 +199,7 @@ void read_card(Reading& reading, const Card& entry) {
     } else if (word == "TFILE") {
         read_interval(card, engine);
     } else if (word == "STOP") {
-        read_stop(card);
+        read_stop(card, engine);
     } else if (engine_keyword(word) == EngineKeyword::output) {
         reading.ignore(entry);
     } else if (engine_keyword(word) == EngineKeyword::unsupported) {

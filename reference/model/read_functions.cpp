@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "reference/model/reading.h"
@@ -24,9 +28,43 @@ void read_points(CardReader& reader, Function& function) {
     }
 }
 
+/// Scale of an axis of /MOVE_FUNCT; blank or 0 is 1.
+double scale_of_axis(CardReader& reader, int first, std::string_view field) {
+    const double value = reader.real_as_written(1, first, first + 19, field);
+    return value != 0 ? value : 1.0;
+}
+
+/// x Ascale_x + Ashift_x and y Fscale_y + Fshift_y for every point. Pure numbers, like the points.
+void move(Reading& reading, CardReader& reader, Id id) {
+    const double scale_x = scale_of_axis(reader, 1, "Ascale_x");
+    const double scale_y = scale_of_axis(reader, 21, "Fscale_y");
+    const double shift_x = reader.real_as_written(1, 41, 60, "Ashift_x");
+    const double shift_y = reader.real_as_written(1, 61, 80, "Fshift_y");
+    warn_of_excess(reader, 2);
+    if (!(scale_x > 0)) {
+        reader.error(1, "Ascale_x", fmt::format("{}", scale_x), "the abscissae of a function ascend, also when scaled",
+                     "Give a scale above 0, or 0 for 1");
+        return;
+    }
+    const int index = reading.reference(reader, keyword_line, "fct_ID", id, reading.functions, true);
+    if (index < 0) return;
+    Function& function = reading.model.functions[static_cast<size_t>(index)];
+    for (double& x : function.x)
+        x = x * scale_x + shift_x;
+    for (double& y : function.y)
+        y = y * scale_y + shift_y;
+    const auto same = std::adjacent_find(function.x.begin(), function.x.end(), std::greater_equal<>());
+    if (same != function.x.end()) {
+        reader.error(1, "Ashift_x", fmt::format("{}", shift_x),
+                     fmt::format("two abscissae of the function become the same number, {}", *same),
+                     "Give a smaller shift or a larger scale");
+    }
+}
+
 }  // namespace
 
-/// /FUNCT and /SENSOR/TIME. The points of a function are pure numbers; the cards that use it scale them.
+/// /FUNCT, then /MOVE_FUNCT, which changes the points of the function with its id. The points of a function are pure
+/// numbers; the cards that use it scale them.
 void read_functions(Reading& reading) {
     Model& model = reading.model;
     const auto next_function = [&] { return static_cast<int>(model.functions.size()); };
@@ -37,19 +75,10 @@ void read_functions(Reading& reading) {
         read_points(reader, function);
         model.functions.push_back(std::move(function));
     });
-    const auto next_sensor = [&] { return static_cast<int>(model.sensors.size()); };
-    reading.each(Keyword::sensor, reading.sensors, next_sensor, [&](CardReader& reader, Id id) {
-        TimeSensor sensor;
-        sensor.id = id;
-        sensor.title = reader.text(0, 1, 100);
-        sensor.delay = reader.real(1, 1, 20, "Tdelay", dim::time);
-        if (model.version >= 2023) {
-            const double stop = reader.real(2, 1, 20, "Tstop", dim::time);
-            if (stop != 0) sensor.stop = stop;
-        }
-        warn_of_excess(reader, model.version >= 2023 ? 3 : 2);
-        model.sensors.push_back(std::move(sensor));
-    });
+    reading.conditions = {"/MOVE_FUNCT", {}, {}};
+    reading.each(
+        Keyword::move_function, reading.conditions, [] { return 0; },
+        [&](CardReader& reader, Id id) { move(reading, reader, id); });
 }
 
 }  // namespace type21

@@ -105,7 +105,7 @@ void read_imposed_temperatures(Reading& reading) {
             ImposedTemperature imposed;
             imposed.id = id;
             imposed.function = reading.reference(reader, 1, 1, 10, "fct_IDT", reading.functions, true);
-            imposed.sensor = reading.reference(reader, 1, 11, 20, "sens_ID", reading.sensors, false);
+            imposed.sensor = sensor_reference(reading, reader, 1, 11);
             imposed.group = reading.reference(reader, 1, 21, 30, "grnod_ID", reading.groups, true);
             imposed.scale_x = scale(reader, 2, 1, "Ascale_x", dim::time);
             imposed.scale_y = scale(reader, 2, 21, "Fscale_y", dim::temperature);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -109,8 +110,72 @@ int choice(CardReader& reader, int first, std::string_view field, int largest, i
     return fallback;
 }
 
-int read_main_node(Reading& reading, CardReader& reader) {
+/// The main node of a body that names none: a new node at the centre of mass of the body's nodes, with the id behind
+/// the highest of the deck.
+/// @return its index; -1 and an error when the nodes have no mass
+int create_main_node(Model& model, CardReader& reader, const std::vector<int>& nodes) {
+    if (nodes.empty()) {
+        reader.error(1, "grnod_ID", reader.text(1, 61, 70), "a body without a main node and without nodes is nothing",
+                     "Name its nodes");
+        return -1;
+    }
+    double mass = 0;
+    Vec3 moment = Vec3::Zero();  // about the first node, so that a far origin costs no digits
+    for (const int node : nodes) {
+        const double m = model.nodal_mass[static_cast<size_t>(node)];
+        mass += m;
+        moment += m * (model.nodes.position[static_cast<size_t>(node)] -
+                       model.nodes.position[static_cast<size_t>(nodes.front())]);
+    }
+    if (!(mass > 0) || model.nodes.id.back() == std::numeric_limits<Id>::max()) {
+        reader.error(1, "node_ID", "0",
+                     "a body without a main node has it at the centre of mass of its nodes; these have no mass",
+                     "Name a main node, or give the material of the body a density");
+        return -1;
+    }
+    const int index = model.nodes.size();
+    const Id id = model.nodes.id.back() + 1;
+    model.nodes.id.push_back(id);
+    model.nodes.position.emplace_back(model.nodes.position[static_cast<size_t>(nodes.front())] + moment / mass);
+    model.nodes.line.push_back(reader.line_number(1));
+    model.nodes.index.emplace(id, index);
+    model.nodal_mass.push_back(0);
+    if (!model.nodal_heat_capacity.empty()) model.nodal_heat_capacity.push_back(0);
+    return index;
+}
+
+/// What acts on all nodes of a body without a main node acts on the one that was made: /INIVEL and /GRAV.
+void load_created_node(Model& model, const RigidBody& body) {
+    const auto whole_body = [&](int group) {
+        if (group < 0) return false;
+        const std::vector<int>& nodes = model.groups[static_cast<size_t>(group)].nodes;
+        return std::includes(nodes.begin(), nodes.end(), body.nodes.begin(), body.nodes.end());
+    };
+    NodeGroup own;
+    own.title = fmt::format("main node of /RBODY/{}", body.id);
+    own.nodes = {body.main_node};
+    const auto group = static_cast<int>(model.groups.size());
+    const auto copy_to_main_node = [&](auto& conditions) {
+        const size_t count = conditions.size();
+        for (size_t i = 0; i < count; ++i) {
+            if (!whole_body(conditions[i].group)) continue;
+            auto copy = conditions[i];
+            copy.group = group;
+            conditions.push_back(copy);
+        }
+    };
+    copy_to_main_node(model.initial_velocities);
+    copy_to_main_node(model.gravities);
+    model.groups.push_back(std::move(own));
+}
+
+/// Index of the main node, -1 after an error.
+int read_main_node(Reading& reading, CardReader& reader, int group) {
     const Id id = reader.integer(1, 1, 10, "node_ID");
+    if (id == 0) {
+        if (group < 0) return -1;  // has had its message
+        return create_main_node(reading.model, reader, reading.model.groups[static_cast<size_t>(group)].nodes);
+    }
     const auto found = reading.model.nodes.index.find(id);
     if (found != reading.model.nodes.index.end()) return found->second;
     reader.error(1, "node_ID", fmt::format("{}", id), "the main node of a rigid body is a node of the deck",
@@ -134,7 +199,7 @@ void claim(Reading& reading, CardReader& reader, const RigidBody& body, std::uno
 
 }  // namespace
 
-/// /RBODY. Moves main nodes to their centres by ICoG.
+/// /RBODY. Moves main nodes to their centres by ICoG. A body without a main node gets one.
 void read_rigid_bodies(Reading& reading) {
     Model& model = reading.model;
     std::unordered_map<int, Id> owner;
@@ -143,15 +208,19 @@ void read_rigid_bodies(Reading& reading) {
         RigidBody body;
         body.id = id;
         body.title = reader.text(0, 1, 100);
-        body.main_node = read_main_node(reading, reader);
         refuse_unless_zero(reader, 1, 11, 20, "sens_ID", "a rigid body on a sensor is");
-        refuse_unless_zero(reader, 1, 21, 30, "skew_ID", "local axes are");
+        const int skew = skew_reference(reading, reader, 1, 21, "skew_ID", reading.skews);
         body.spherical = choice(reader, 31, "Ispher", 2, 2) == 1;
         const int group = reading.reference(reader, 1, 61, 70, "grnod_ID", reading.groups, true);
+        body.main_node = read_main_node(reading, reader, group);
         body.icog = choice(reader, 81, "ICoG", 4, 1);
         refuse_unless_zero(reader, 1, 91, 100, "surf_ID", "the inertia of an envelope surface is");
         reader.unused(1, 71, 80, 10);  // Ikrem
-        const Added added = read_added(reader);
+        Added added = read_added(reader);
+        if (skew >= 0) {
+            const Mat3& axes = model.skews[static_cast<size_t>(skew)].axes;
+            added.inertia = Mat3(axes * added.inertia * axes.transpose());
+        }
         reader.unused(4, 1, 40, 10);  // Ioptoff, Iexpams
         refuse_unless_zero(reader, 4, 41, 50, "Ifail", "failure of a rigid body is");
         warn_of_excess(reader, 5);
@@ -163,6 +232,7 @@ void read_rigid_bodies(Reading& reading) {
             if (body.spherical) body.inertia = Mat3(Mat3::Identity() * (body.inertia.trace() / 3));
             check_inertia(model, reader, body);
             model.nodes.position[static_cast<size_t>(body.main_node)] = body.center;
+            if (reader.integer(1, 1, 10, "node_ID") == 0) load_created_node(model, body);
         }
         model.rigid_bodies.push_back(std::move(body));
     });

@@ -32,6 +32,8 @@ struct Registry {
     /// Reads the card of an entry whose index is `not_loaded`, notes its index and returns it.
     std::function<int(Id)> load = nullptr;
     static constexpr int not_loaded = -2;
+    /// Those that do no harm where they stand, but that no card may refer to: the rule that a reference breaks.
+    std::unordered_map<Id, std::string> refused{};
 
     /// Index in the model, -1 if the id is not there.
     int find(Id id) const {
@@ -63,12 +65,15 @@ struct Reading {
 
     Registry materials{"/MAT", {}, {}}, properties{"/PROP", {}, {}}, parts{"/PART", {}, {}};
     Registry surfaces{"/SURF", {}, {}}, groups{"/GRNOD", {}, {}}, functions{"/FUNCT", {}, {}};
+    Registry skews{"/SKEW", {}, {}}, frames{"/FRAME", {}, {}};
     Registry sensors{"/SENSOR", {}, {}}, rigid_bodies{"/RBODY", {}, {}}, friction_models{"/FRICTION", {}, {}};
     Registry interfaces{"/INTER", {}, {}}, histories{"/TH", {}, {}}, units{"/UNIT", {}, {}};
-    std::vector<Id> part_subsets;        ///< subset_ID of each part
-    int first_sh3n = 0;                  ///< index of the first shell of a /SH3N card; those of /SHELL come before
-    std::unique_ptr<Selector> selector;  ///< reads groups and surfaces when they are asked for
-    Registry conditions{"", {}, {}};     ///< of one kind at a time: nothing refers to these
+    std::vector<Id> part_subsets;           ///< subset_ID of each part
+    int first_sh3n = 0;                     ///< index of the first shell of a /SH3N card; those of /SHELL come before
+    std::unique_ptr<Selector> selector;     ///< reads groups and surfaces when they are asked for
+    Registry conditions{"", {}, {}};        ///< of one kind at a time: nothing refers to these
+    std::vector<const Card*> sensor_cards;  ///< of each of Model::sensors
+    std::unordered_map<int, std::string> sensor_users;  ///< the first card that refers to a sensor, by its index
 
     /// Calls read(card, reader, id) for every card of this keyword, in the order of the deck. A card without an id, or
     /// with one that another card of the registry has, is an error and is not read.
@@ -129,10 +134,21 @@ double scale(CardReader& reader, size_t line, int first, std::string_view field,
 /// "7.8e-06 Mg/mm^3": a value in work units for a message.
 std::string quantity(const CardReader& reader, double value, Dimension dimension);
 
+/// Index into Model::skews of the axes that a field of 10 columns names; -1 for 0 (global axes). A /SKEW or /FRAME that
+/// moves is an error that names its kind.
+/// @param registry  Reading::skews or Reading::frames
+int skew_reference(Reading& reading, CardReader& reader, size_t line, int first, std::string_view field,
+                   const Registry& registry);
+
+/// Index of the /SENSOR that a field of 10 columns names; -1 for 0.
+int sensor_reference(Reading& reading, CardReader& reader, size_t line, int first);
+
 // The readers, in the order in which resolve() calls them.
 void read_begin(Reading& reading);
 void check_keywords(Reading& reading);
+void read_skews(Reading& reading);
 void read_functions(Reading& reading);
+void read_sensors(Reading& reading);
 void read_materials(Reading& reading);
 void read_heat_materials(Reading& reading);
 void read_mesh(Reading& reading);
@@ -145,6 +161,7 @@ void read_friction(Reading& reading);
 void sum_nodal_mass(Model& model);
 void sum_nodal_heat_capacity(Model& model);
 void read_rigid_bodies(Reading& reading);
+void link_sensors(Reading& reading);
 void read_histories(Reading& reading);
 void read_engine(Reading& reading);
 

@@ -142,7 +142,9 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     }
     read_begin(reading);
     check_keywords(reading);
+    read_skews(reading);
     read_functions(reading);
+    read_sensors(reading);
     read_materials(reading);
     read_heat_materials(reading);
     read_mesh(reading);
@@ -156,6 +158,7 @@ Model resolve_deck(const Deck& deck, Deck* own, const AsBuilt& as_built, Problem
     read_rigid_bodies(reading);
     resolve_interfaces(deck, model, problems);
     read_histories(reading);
+    link_sensors(reading);
     read_engine(reading);
     reading.selector->check_unused();
     reading.say_ignored();

@@ -54,6 +54,8 @@ int run(const RunArguments& options) {
     progress.finish();
     for (const std::string& note : summary.notes)
         fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& warning : summary.warnings)
+        fmt::print(stderr, "{}\n", warning);
     if (!options.quiet) fmt::print("{}", run_text(summary, scene, options.out));
     if (summary.state == RunSummary::State::completed) return exit_ok;
     if (summary.state == RunSummary::State::interrupted) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/host/warnings/warnings.h"
+#include "reference/model/motion_keyword.h"
 
 namespace type21 {
 namespace {
@@ -64,14 +65,16 @@ void warn_of_ending_functions(const SurpriseCheck& check) {
     const Model& model = check.model;
     constexpr double always = 1e30;
     for (const ImposedMotion& motion : model.imposed_motions) {
-        const bool velocity = motion.kind == ImposedMotion::Kind::velocity;
+        const bool holds = motion.kind == ImposedMotion::Kind::displacement;
         if (starts_with_the_run(motion.sensor))
-            judge(check, {velocity ? "IMPVEL" : "IMPDISP", motion.id, motion.function, motion.scale_x, 0, motion.stop,
-                          !velocity});
+            judge(check, {keyword_of(motion.kind), motion.id, motion.function, motion.scale_x, 0, motion.stop, holds});
     }
     for (const ConcentratedLoad& load : model.loads)
         if (starts_with_the_run(load.sensor))
             judge(check, {"CLOAD", load.id, load.function, load.scale_x, 0, always, true});
+    for (const Gravity& gravity : model.gravities)
+        if (starts_with_the_run(gravity.sensor))
+            judge(check, {"GRAV", gravity.id, gravity.function, gravity.scale_x, 0, always, true});
     for (const ImposedTemperature& heat : model.imposed_temperatures)
         if (starts_with_the_run(heat.sensor))
             judge(check, {"IMPTEMP", heat.id, heat.function, heat.scale_x, 0, heat.stop, true});

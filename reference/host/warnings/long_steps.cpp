@@ -53,6 +53,7 @@ double tool_speed(const Model& model, const Interface& interface) {
     Vec3 about = Vec3::Zero();
     for (const ImposedMotion& motion : model.imposed_motions) {
         if (motion.group < 0 || motion.function < 0) continue;
+        if (motion.kind == ImposedMotion::Kind::acceleration) continue;  // its speed is known in the run only
         const auto& nodes = model.groups[at(motion.group)].nodes;
         if (!std::binary_search(nodes.begin(), nodes.end(), tool.main_node)) continue;
         const double speed = largest_speed(motion, model.functions[at(motion.function)], model.engine.end_time);

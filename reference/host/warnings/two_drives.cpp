@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "reference/host/warnings/warnings.h"
+#include "reference/model/motion_keyword.h"
 
 namespace type21 {
 namespace {
@@ -17,10 +18,6 @@ constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "XX", "YY", "ZZ"}
 
 size_t at(int index) {
     return static_cast<size_t>(index);
-}
-
-std::string_view keyword_of(const ImposedMotion& motion) {
-    return motion.kind == ImposedMotion::Kind::velocity ? "IMPVEL" : "IMPDISP";
 }
 
 /// What drives a freedom: an imposed motion, or -1 - i for the boundary condition i.
@@ -76,6 +73,7 @@ class Drives {
     /// Two boundary conditions say the same. Motions that take turns do not meet; sensors may see to that.
     bool clash(Drive first, Drive second) const {
         if (first < 0 && second < 0) return false;
+        if (skew(first) != skew(second)) return false;  // check_runnable judges directions of several axes
         if (first < 0 || second < 0) return true;
         const ImposedMotion& a = check_.model.imposed_motions[at(first)];
         const ImposedMotion& b = check_.model.imposed_motions[at(second)];
@@ -83,8 +81,13 @@ class Drives {
         return a.start < b.stop && b.start < a.stop;
     }
 
+    int skew(Drive drive) const {
+        return drive < 0 ? check_.model.boundary_conditions[at(-1 - drive)].skew
+                         : check_.model.imposed_motions[at(drive)].skew;
+    }
+
     std::string_view keyword(Drive drive) const {
-        return drive < 0 ? "BCS" : keyword_of(check_.model.imposed_motions[at(drive)]);
+        return drive < 0 ? "BCS" : keyword_of(check_.model.imposed_motions[at(drive)].kind);
     }
 
     Id id(Drive drive) const {
@@ -113,7 +116,7 @@ void warn_of_driven_followers(const SurpriseCheck& check) {
         if (count == 0) continue;
         const RigidBody& tool = model.rigid_bodies[at(body[at(first)])];
         check.at_card(
-            keyword_of(motion), motion.id, "grnd_ID",
+            keyword_of(motion.kind), motion.id, "grnd_ID",
             fmt::format("{} node{}, the first {}", count, count == 1 ? "" : "s", model.nodes.id[at(first)]),
             fmt::format("belong to the rigid body {} and follow its main node: this drive does not move them", tool.id),
             fmt::format("Drive the main node {} of the body", model.nodes.id[at(tool.main_node)]));

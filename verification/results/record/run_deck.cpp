@@ -56,6 +56,7 @@ class Run {
     RunSummary march(const MakeContact& make, MarchOptions options,
                      const std::function<void(const RunProgress&)>& progress) {
         options.between_cycles = [this](const BetweenCycles& at) { between_cycles(at); };
+        options.warn = [this](const std::string& text) { summary_.warnings.push_back("warning: " + text); };
         try {
             march_to_end(make, options, progress);
         } catch (const IoError& error) {

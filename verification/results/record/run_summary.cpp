@@ -98,6 +98,8 @@ std::string_view name(RunSummary::State state) {
 Json to_json(const RunSummary& summary, const HostScene& scene, const std::vector<std::string>& warnings) {
     const BuildInfo& build = build_info();
     const Model& model = *scene.host;
+    std::vector<std::string> all_warnings = warnings;
+    all_warnings.insert(all_warnings.end(), summary.warnings.begin(), summary.warnings.end());
     Json json = {{"program", "type21"},
                  {"schema", result_schema},
                  {"run_id", summary.run_id},
@@ -114,7 +116,7 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
                  {"smallest_step", summary.smallest_step},
                  {"largest_step", summary.largest_step},
                  {"wall_seconds", summary.wall_seconds},
-                 {"warnings", warnings}};
+                 {"warnings", all_warnings}};
     if (const auto& from = summary.restarted_from)
         json["restarted_from"] = {{"run_id", from->run_id}, {"cycle", from->cycle}, {"time", from->time}};
     json.update(model_json(scene));

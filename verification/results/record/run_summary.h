@@ -33,6 +33,7 @@ struct RunSummary {
     double smallest_step = 0;  ///< dt2 over the cycles [time]
     double largest_step = 0;   ///< [time]
     double wall_seconds = 0;
+    std::vector<std::string> warnings;    ///< of the run itself, beside those of its deck
     std::vector<InterfaceTotals> totals;  ///< of the last cycle, per interface
     std::vector<InterfaceBalance> balance;
     std::vector<ContactCount> contact;

@@ -135,20 +135,23 @@ TEST(ToolDamping, ShareOfTheCritical) {
 
 // @manual field Tstart, Tstop, sens_ID; comment 20
 TEST(Activity, WindowOrSensorAlone) {
-    Model model;
     Interface card;
     card.tstart.value = 1.0;
     card.tstop.value = 2.0;
-    EXPECT_FALSE(active(model, card, 0.999));
-    EXPECT_TRUE(active(model, card, 1.0));
-    EXPECT_TRUE(active(model, card, 2.0));
-    EXPECT_FALSE(active(model, card, 2.001));
-    TimeSensor sensor;
-    sensor.delay = 5.0;
-    model.sensors.push_back(sensor);
-    card.sensor = 0;
-    EXPECT_FALSE(active(model, card, 1.5));
-    EXPECT_TRUE(active(model, card, 5.0));
+    Motion motion;
+    const auto at = [&](double time) {
+        motion.time = time;
+        return active(card, motion);
+    };
+    EXPECT_FALSE(at(0.999));
+    EXPECT_TRUE(at(1.0));
+    EXPECT_TRUE(at(2.0));
+    EXPECT_FALSE(at(2.001));
+    card.sensor = 1;
+    motion.sensor_on = {true, false};
+    EXPECT_FALSE(at(1.5));
+    motion.sensor_on = {false, true};
+    EXPECT_TRUE(at(5.0));
 }
 
 // @manual departure D12

@@ -75,7 +75,7 @@ TEST(Loads, InitialVelocity) {
                                  ints({"1", "0"}) + "                 0.1         0\n"))
                  .problems);
     EXPECT_EQ(p.field, "Tstart");
-    EXPECT_EQ(only(resolved(with_cards("/INIVEL/ROT/9\nthrow\n")).problems).card, "/INIVEL/ROT");
+    EXPECT_EQ(only(resolved(with_cards("/INIVEL/NODE/9\nthrow\n")).problems).card, "/INIVEL/NODE");
 }
 
 TEST(Loads, ConcentratedForceAndMomentInBothForms) {

@@ -134,7 +134,7 @@ TEST(Defaults, DepthOfIgap0IsReadAndD03IgnoresIt) {
 
 Model with_sensor() {
     Model model = blank_over_tool();
-    model.sensors.push_back({3, "", 1.0, 1e30});
+    model.sensors.push_back({3, ""});
     return model;
 }
 

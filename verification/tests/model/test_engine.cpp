@@ -51,7 +51,15 @@ TEST(Engine, OutputKeywordsAreOneWarning) {
     EXPECT_EQ(p.severity, Severity::warning);
     EXPECT_EQ(p.card, "/ANIM");
     EXPECT_EQ(p.count, 3);
-    EXPECT_EQ(only(with_engine("/STOP\n 0.1 0 0\n").problems).severity, Severity::warning);
+}
+
+TEST(Engine, StopGivesALimitOfEnergyAndNoneOfMass) {
+    const Resolved energy = with_engine("/STOP\n 0.1 0 0 1 1\n");
+    EXPECT_TRUE(energy.problems.list().empty()) << all_of(energy.problems);
+    EXPECT_EQ(energy.model.engine.energy_limit, 0.1);
+    EXPECT_FALSE(with_engine("/STOP\n 0 0 0\n").model.engine.energy_limit.has_value()) << "0 is the default";
+    EXPECT_EQ(only(with_engine("/STOP\n 0 0.1 0\n").problems).severity, Severity::warning);
+    EXPECT_EQ(only(with_engine("/STOP\n -1 0 0\n").problems).field, "Emax");
 }
 
 TEST(Engine, OtherKeywordsAreErrorsByName) {

@@ -45,27 +45,25 @@ TEST(Function, WithoutAPointIsAnError) {
     EXPECT_EQ(only(resolved(with_cards("/FUNCT/9\nf\n")).problems).card, "/FUNCT/9");
 }
 
-TEST(Sensor, TimeWindow) {
-    const Resolved r = resolved(with_cards("/SENSOR/TIME/4\nwindow\n" + reals({"1e-4"}) + reals({"2e-4"}) +
-                                           "/SENSOR/TIME/5\non\n" + reals({"3e-4"})));
-    EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
-    ASSERT_EQ(r.model.sensors.size(), 2U);
-    EXPECT_FALSE(r.model.sensors[0].on(0.9e-4));
-    EXPECT_TRUE(r.model.sensors[0].on(1e-4));
-    EXPECT_FALSE(r.model.sensors[0].on(2e-4));
-    EXPECT_TRUE(r.model.sensors[1].on(1e9));
+TEST(Function, MoveFunctScalesAndShifts) {
+    const std::string f = "/FUNCT/9\nf\n" + reals({"1.0", "10.0"}) + reals({"2.0", "30.0"});
+    const Resolved all = resolved(with_cards("/MOVE_FUNCT/9\nmoved\n" + reals({"2.0", "0.5", "-1.0", "4.0"}) + f));
+    EXPECT_TRUE(all.problems.list().empty()) << all_of(all.problems);
+    EXPECT_EQ(all.model.functions.at(1).x, (std::vector<double>{1, 3}));
+    EXPECT_EQ(all.model.functions[1].y, (std::vector<double>{9, 19}));
+    const Resolved blank = resolved(with_cards(f + "/MOVE_FUNCT/9\nmoved\n" + reals({"", "", "1.0", ""})));
+    EXPECT_EQ(blank.model.functions.at(1).x, (std::vector<double>{2, 3})) << "a blank scale is 1";
+    EXPECT_EQ(blank.model.functions[1].y, (std::vector<double>{10, 30}));
 }
 
-TEST(Sensor, TheStopTimeCameWithVersion2023) {
-    std::string text = with_cards("/SENSOR/TIME/4\nwindow\n" + reals({"1e-4"}) + reals({"2e-4"}));
-    text = replaced(text, "      2025         0", "      2021         0");
-    const Resolved r = resolved(text);
-    EXPECT_EQ(r.model.sensors.at(0).stop, 1e30);
-    EXPECT_NE(find_rule(r.problems, "what follows is not read"), nullptr);
-}
-
-TEST(Sensor, OtherKindsAreRefusedByName) {
-    EXPECT_EQ(only(resolved(with_cards("/SENSOR/ACCE/4\nx\n")).problems).card, "/SENSOR/ACCE");
+TEST(Function, MoveFunctMistakesAreNamed) {
+    const std::string f = "/FUNCT/9\nf\n" + reals({"1.0", "10.0"}) + reals({"2.0", "30.0"});
+    const auto field = [&](const std::string& id, const std::vector<std::string>& line) {
+        return only(resolved(with_cards(f + "/MOVE_FUNCT/" + id + "\nm\n" + reals(line))).problems).field;
+    };
+    EXPECT_EQ(field("8", {"1.0"}), "fct_ID");
+    EXPECT_EQ(field("9", {"-1.0"}), "Ascale_x") << "the abscissae would descend";
+    EXPECT_EQ(field("9", {"1.0", "1.0", "1e20"}), "Ashift_x") << "the digits of the abscissae are gone";
 }
 
 }  // namespace

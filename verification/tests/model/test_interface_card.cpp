@@ -31,7 +31,7 @@ const std::string full_card =
 
 TEST(InterfaceCard, EveryFieldIsReadFromItsColumns) {
     Model model = blank_over_tool();
-    model.sensors.push_back({4, "", 0.5, 1e30});
+    model.sensors.push_back({4, ""});
     model.as_built.set(Departure::D09);  // so that Tstart and Tstop stay as read
     Problems problems;
     const Interface it = resolve_card(model, full_card, problems);
@@ -104,7 +104,7 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
     right_justified.replace(right_justified.find("       101"), 10, "       111");
     const auto values = [](const std::string& text) {
         Model model = thermal_blank_over_tool();
-        model.sensors.push_back({4, "", 0.5, 1e30});
+        model.sensors.push_back({4, ""});
         Problems problems;
         const Interface it = resolve_card(model, text, problems);
         EXPECT_EQ(problems.error_count(), 0);
@@ -120,7 +120,7 @@ TEST(InterfaceCard, FieldsBeginInTheirFirstColumn) {
 
 TEST(InterfaceCard, HeatFieldsAreReadFromTheirColumns) {
     Model model = thermal_blank_over_tool();
-    model.sensors.push_back({4, "", 0.5, 1e30});
+    model.sensors.push_back({4, ""});
     Problems problems;
     std::string text = full_card;
     text.replace(text.find("         1         2         1         0"), 40, "         1         2         1         1");

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"xfreq_3", {{"Fric", "0.1"}, {"Ifiltr", "3"}, {"Xfreq", "-1.0"}}, "Xfreq", "negative"},
         Wrong{"ifiltr_4", {{"Ifiltr", "4"}}, "Ifiltr", "one of 0, 1, 2, 3"},
         Wrong{"xfreq", {{"Ifiltr", "0"}, {"Xfreq", "-0.5"}}, "Xfreq", "negative"},
-        Wrong{"sensor", {{"sens_ID", "6"}}, "sens_ID", "no /SENSOR/TIME"},
+        Wrong{"sensor", {{"sens_ID", "6"}}, "sens_ID", "no /SENSOR with"},
         Wrong{"fric_id", {{"fric_ID", "8"}}, "fric_ID", "no /FRICTION"},
         Wrong{"no_rbody", {{"IDrby", "0"}}, "IDrby", "must be given"},
         Wrong{"unknown_rbody", {{"IDrby", "6"}}, "IDrby", "no /RBODY"},

@@ -20,7 +20,7 @@ TEST(Vocabulary, AKeywordThatIsNotSupportedIsOneErrorWithItsCount) {
 }
 
 TEST(Vocabulary, KeywordsOfOtherPhysicsAreErrors) {
-    for (const char* keyword : {"/BRICK", "/THERM_STRESS/MAT", "/GRAV", "/RWALL/PLANE", "/DAMP", "/INTER/TYPE7",
+    for (const char* keyword : {"/BRICK", "/THERM_STRESS/MAT", "/PFLUID", "/RWALL/PLANE", "/DAMP", "/INTER/TYPE7",
                                 "/MAT/LAW27", "/PROP/SOLID", "/DEFAULT/INTER/TYPE21", "/XYZ"}) {
         const Problem p = only(resolved(with_cards(std::string(keyword) + "/99\nx\n")).problems);
         EXPECT_EQ(p.severity, Severity::error) << keyword;

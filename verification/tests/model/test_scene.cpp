@@ -54,7 +54,7 @@ TEST(Plan, EachFieldAsksForItsEffect) {
     EXPECT_EQ(extra({{"Tstart", "0.1"}}), List{Effect::activity_window});
     EXPECT_EQ(extra({{"Tstop", "0.1"}}), List{Effect::activity_window});
     Model model = blank_over_tool();
-    model.sensors.push_back({3, "", 1.0, 1e30});
+    model.sensors.push_back({3, ""});
     EXPECT_EQ(extra({{"sens_ID", "3"}}, model), List{Effect::activity_window});
     model.as_built.set(Departure::D09);
     EXPECT_EQ(extra({{"sens_ID", "3"}}, model), List{}) << "D09: the sensor is ignored";

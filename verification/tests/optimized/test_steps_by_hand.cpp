@@ -34,6 +34,7 @@ struct Hand {
         motion.temperature = temperature;
         motion.thickness = thickness;
         motion.tools = tools;
+        motion.sensor_on = sensor_on;
         return contact.step(motion);
     }
     size_t node(int i) const { return static_cast<size_t>(small.blank_node(i)); }
@@ -45,6 +46,7 @@ struct Hand {
     std::vector<Vec3> velocity;
     std::vector<double> temperature, thickness;
     std::vector<ToolMotion> tools;
+    std::vector<bool> sensor_on;
     Contact contact;
 };
 
@@ -99,9 +101,10 @@ TEST(OptimizedSteps, WindowOrSensorAlone) {
     EXPECT_TRUE(window.step(0.5, 0.1).active);
     EXPECT_FALSE(window.step(0.71, 0.1).active);
     small.card().sensor = 0;
-    small.model().sensors.push_back({1, "", 0.6, 0.9});
     Hand sensor(small);
-    EXPECT_FALSE(sensor.step(0.5, 0.1).active);
+    sensor.sensor_on = {false};
+    EXPECT_FALSE(sensor.step(0.6, 0.1).active) << "Tstart has no say";
+    sensor.sensor_on = {true};
     EXPECT_TRUE(sensor.step(0.8, 0.1).active) << "Tstop has no say";
 }
 
