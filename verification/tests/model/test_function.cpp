@@ -64,8 +64,11 @@ TEST(Sensor, TheStopTimeCameWithVersion2023) {
     EXPECT_NE(find_rule(r.problems, "what follows is not read"), nullptr);
 }
 
-TEST(Sensor, OtherKindsAreRefusedByName) {
-    EXPECT_EQ(only(resolved(with_cards("/SENSOR/ACCE/4\nx\n")).problems).card, "/SENSOR/ACCE");
+TEST(Sensor, OtherKindsAreRefusedByNameWhereTheyAreUsed) {
+    const std::string sensor = "/SENSOR/ACCE/4\nx\n";
+    EXPECT_TRUE(resolved(with_cards(sensor)).problems.list().empty());
+    const Problem p = only(resolved(with_cards(sensor + "/CLOAD/1\nf\n" + ints({"1", "Z", "0", "4", "3"}))).problems);
+    EXPECT_NE(p.rule.find("/SENSOR/ACCE/4"), std::string::npos) << p.rule;
 }
 
 }  // namespace
