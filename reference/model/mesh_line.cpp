@@ -22,9 +22,10 @@ std::optional<std::string_view> plain_word(std::string_view line, std::size_t fi
 
 template <class Number>
 bool plain_number(std::string_view line, std::size_t first, std::size_t last, Number& value) {
-    const auto word = plain_word(line, first, last);
+    auto word = plain_word(line, first, last);
     if (!word) return false;
     value = 0;
+    if (word->size() > 1 && (*word)[0] == '+' && (*word)[1] != '-') word->remove_prefix(1);
     if (word->empty()) return true;
     const auto [end, code] = std::from_chars(word->data(), word->data() + word->size(), value);
     return code == std::errc() && end == word->data() + word->size();

@@ -10,7 +10,10 @@ constexpr int last_version_with_iform = 2021;
 
 /// Before 2022 the card names its formulation; shells know the finite element one only.
 void check_formulation(CardReader& reader, int version) {
-    if (version > last_version_with_iform) return;
+    if (version > last_version_with_iform) {
+        reader.unused(0, 81, 90, 10);
+        return;
+    }
     const Id form = reader.integer(0, 81, 90, "Iform");
     if (form == 1) return;
     if (form == 0)

@@ -203,7 +203,10 @@ bool read_shell(Reading& reading, CardReader& reader, size_t line, int corners, 
                 Shell& shell) {
     shell = {};
     shell.id = reader.integer(line, 1, 10, field);
-    if (!valid_id(reader, line, field, shell.id)) return false;
+    if (!valid_id(reader, line, field, shell.id)) {
+        reader.skip(line, 1, 101);
+        return false;
+    }
     shell.part = part;
     shell.thickness = thickness_of(reading, reader, line, part);
     reader.unused(line, 61, 80, 20);  // the angle of the material's axes

@@ -79,7 +79,7 @@ std::string PressDeck::starter() const {
            "0         0         0              "
            "  0.02         2         0         4\n              1000.0              1000.0              1000.0\n       "
            "  "
-           "        0.0                 0.0                 0.0\n/BCS/1\nguide\n   110 111         0         "
+           "        0.0                 0.0                 0.0\n\n/BCS/1\nguide\n   110 111         0         "
            "3\n/BCS/2\n"
            "blank\n   111 111         0         1\n/FUNCT/1\nstroke\n" +
            function + drive + "down\n         1         Z         0         0         3         0         0\n" +

@@ -203,7 +203,7 @@ TEST(ImplausibleValues, DensityThicknessAndFriction) {
 
 TEST(TwoDrives, OfOneFreedomAreNamedWithNodeAndBothCards) {
     PressDeck press;
-    press.cards = "/IMPVEL/9\nagain\n         1         Z         0         0         3         0         0\n";
+    press.cards = "/IMPVEL/9\nagain\n         1         Z         0         0         3         0         0\n\n";
     Problem problem = the_warning(press);
     EXPECT_EQ(problem.card, "/IMPVEL/9");
     EXPECT_EQ(problem.value, "Z of node 201");
@@ -215,7 +215,7 @@ TEST(TwoDrives, OfOneFreedomAreNamedWithNodeAndBothCards) {
     EXPECT_EQ(problem.value, "Z of node 201");
 
     // Nine nodes of the blank are fixed and driven: one message with a count.
-    press.cards = "/IMPDISP/9\nblank\n         1         X         0         0         1         0         0\n";
+    press.cards = "/IMPDISP/9\nblank\n         1         X         0         0         1         0         0\n\n";
     EXPECT_EQ(the_warning(press).value, "X of node 1 and 8 more");
 }
 
@@ -231,7 +231,7 @@ TEST(TwoDrives, OtherDirectionsAndTimesDoNotMeet) {
 
 TEST(TwoDrives, OfNodesThatFollowARigidBody) {
     PressDeck press;
-    press.cards = "/IMPVEL/9\ntool\n         1         Z         0         0         2         0         0\n";
+    press.cards = "/IMPVEL/9\ntool\n         1         Z         0         0         2         0         0\n\n";
     const Problem problem = the_warning(press);
     EXPECT_EQ(problem.card, "/IMPVEL/9");
     EXPECT_SAYS(problem.value, "16 nodes, the first 101");

@@ -18,6 +18,7 @@ class CardReaderTest : public ::testing::Test {
         deck_.files = {"scene_0000.rad"};
         card_.keyword = "/CARD/1";
         card_.place = {"/CARD/1", 0, 10};
+        card_.lines.clear();
         for (size_t i = 0; i < texts_.size(); ++i) {
             card_.lines.push_back({texts_[i], 0, 11 + static_cast<int>(i)});
         }

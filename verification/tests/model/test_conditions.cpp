@@ -40,7 +40,7 @@ TEST(Conditions, ImposedVelocityWithAllItsFields) {
 }
 
 TEST(Conditions, BlankScalesAreOneAndABlankStopIsNever) {
-    const Resolved r = resolved(with_cards("/IMPDISP/9\nd\n" + ints({"1", "X", "", "", "3"})));
+    const Resolved r = resolved(with_cards("/IMPDISP/9\nd\n" + ints({"1", "X", "", "", "3"}) + "\n"));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     const ImposedMotion& m = r.model.imposed_motions.at(1);
     EXPECT_EQ(m.kind, ImposedMotion::Kind::displacement);
@@ -52,7 +52,7 @@ TEST(Conditions, BlankScalesAreOneAndABlankStopIsNever) {
 
 TEST(Conditions, FieldsThatAreNotSupportedAreErrors) {
     const auto field = [](const std::vector<std::string>& line) {
-        return only(resolved(with_cards("/IMPVEL/9\nv\n" + ints(line))).problems).field;
+        return only(resolved(with_cards("/IMPVEL/9\nv\n" + ints(line) + "\n")).problems).field;
     };
     EXPECT_EQ(field({"1", "X", "5", "", "3"}), "skew_ID");
     EXPECT_EQ(field({"1", "X", "", "", "3", "5"}), "frame_ID");
@@ -156,11 +156,11 @@ TEST(Friction, MistakesAreNamed) {
     };
     EXPECT_EQ(field(ints({"5", "0"}), ""), "Ifric");
     EXPECT_EQ(field(ints({"0", "4"}), ""), "Ifiltr");
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "", "2"})), "grpart_ID1") << "no such group";
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "1", "2"})), "part_ID1") << "a group and a part";
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", ""})), "part_ID2") << "neither";
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "66"})), "part_ID2");
-    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "2", "", "1"})), "Idir");
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "", "2"}) + "\n\n"), "grpart_ID1") << "no such group";
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"3", "0", "1", "2"}) + "\n\n"), "part_ID1") << "a group and a part";
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", ""}) + "\n\n"), "part_ID2") << "neither";
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "66"}) + "\n\n"), "part_ID2");
+    EXPECT_EQ(field(ints({"0", "0"}), ints({"0", "0", "1", "2", "", "1"}) + "\n\n"), "Idir");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace test;
 
 std::string heat_card(const std::vector<std::string>& first, const std::vector<std::string>& second = {},
                       const std::string& id = "1") {
-    return "/HEAT/MAT/" + id + "\n" + reals(first) + (second.empty() ? "" : reals(second));
+    return "/HEAT/MAT/" + id + "\n" + reals(first) + (second.empty() ? "\n" : reals(second));
 }
 
 const std::vector<std::string> steel{"300.0", "3.6", "50.0", "0.02"};
@@ -77,7 +77,7 @@ TEST(HeatMaterial, WhatIsNotUsedIsAWarning) {
 TEST(HeatMaterial, OldDecksNameTheirFormulation) {
     const auto problems = [](const std::string& version, const std::string& iform) {
         std::string card = heat_card(steel);
-        card.insert(card.size() - 1, fmt::format("{:>10}", iform));
+        card.insert(card.size() - 2, fmt::format("{:>10}", iform));
         return resolved(replaced(with_cards(card), "      2025         0", fmt::format("{:>10}         0", version)))
             .problems;
     };

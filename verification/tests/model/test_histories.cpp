@@ -55,7 +55,7 @@ TEST(Histories, AnUnknownVariableIsAWarningAnUnknownObjectAnError) {
 TEST(Histories, TemperaturesStandBetweenVelocitiesAndReactionsInASceneWithHeat) {
     // The order of a measured OpenRadioss run (commit bd4557b): VRX .., then TEMP, then REACX.
     const std::string card = "/TH/NODE/1\nn\nREACX     TEMP      VRZ       DX\n         1\n";
-    const std::string heat = "/HEAT/MAT/1\n" + reals({"300.0", "3.6", "50.0"});
+    const std::string heat = "/HEAT/MAT/1\n" + reals({"300.0", "3.6", "50.0"}) + "\n";
     const std::string ithe = replaced(with_cards(heat + card), ints({"1", "2"}) + std::string(10, '\n'),
                                       ints({"1", "2", "0", "1"}) + std::string(8, '\n') +
                                           "                20.0                                       900.0\n\n");
@@ -72,8 +72,7 @@ TEST(Histories, TemperaturesStandBetweenVelocitiesAndReactionsInASceneWithHeat) 
 TEST(Histories, OtherKindsAreAWarning) {
     const Problem p = only(resolved(with_cards("/TH/SHEL/1\nn\nTHIC\n         1\n/TH/SHEL/2\nn\n")).problems);
     EXPECT_EQ(p.severity, Severity::warning);
-    EXPECT_EQ(p.card, "/TH/SHEL");
-    EXPECT_EQ(p.count, 2);
+    EXPECT_EQ(p.value, "/TH/SHEL (2)");
 }
 
 }  // namespace

@@ -29,23 +29,23 @@ TEST(Materials, LawsAndTheirNumbers) {
 }
 
 TEST(Materials, JohnsonCookWithItsLimits) {
-    const Resolved r =
-        resolved(with_cards(plastic + reals({"210000", "0.3", "0"}) + reals({"200", "450", "0.35", "0", "900"})));
+    const Resolved r = resolved(
+        with_cards(plastic + reals({"210000", "0.3", "0"}) + reals({"200", "450", "0.35", "0", "900"}) + "\n\n"));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     const auto& p = r.model.materials.at(1).plastic;  // the laws follow one another: 1, 2, then void
     EXPECT_EQ(p, (std::array<double, 5>{200, 450, 0.35, 1e30, 900}));
 }
 
 TEST(Materials, JohnsonCookFromATensileTest) {
-    const Resolved r = resolved(
-        with_cards(plastic + fmt::format("{:>20}{:>20}{:>10}\n", "210000", "0.3", "1") + reals({"200", "400", "0.2"})));
+    const Resolved r = resolved(with_cards(plastic + fmt::format("{:>20}{:>20}{:>10}\n", "210000", "0.3", "1") +
+                                           reals({"200", "400", "0.2"}) + "\n\n"));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     const auto& p = r.model.materials.at(1).plastic;
     const double strain = std::log(1.2);
     EXPECT_NEAR(p[0] + p[1] * std::pow(strain, p[2]), 400 * 1.2, 1e-9);      // passes through the point
     EXPECT_NEAR(p[2] * p[1] * std::pow(strain, p[2] - 1), 400 * 1.2, 1e-9);  // and necks there
     EXPECT_EQ(only(resolved(with_cards(plastic + fmt::format("{:>20}{:>20}{:>10}\n", "210000", "0.3", "1") +
-                                       reals({"200", "100", "0.2"})))
+                                       reals({"200", "100", "0.2"}) + "\n\n"))
                        .problems)
                   .field,
               "UTS");
@@ -67,9 +67,9 @@ TEST(Materials, ValuesOutOfRange) {
               "nu");
 }
 
-TEST(Materials, AVoidMaterialMayBeEmpty) {
+TEST(Materials, TheLineOfAVoidMaterialMayBeBlank) {
     const Resolved r = resolved(
-        replaced(driven_scene(), "tool\n             7.8e-09            210000.0                 0.3\n", "tool\n"));
+        replaced(driven_scene(), "tool\n             7.8e-09            210000.0                 0.3\n", "tool\n\n"));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     EXPECT_EQ(r.model.materials.at(1).density, 0);
 }

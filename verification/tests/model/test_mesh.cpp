@@ -86,7 +86,7 @@ TEST(Mesh, TheThicknessOfAShellBeatsItsProperty) {
 }
 
 TEST(Mesh, AShellWithoutThicknessIsAnErrorOncePerCard) {
-    const std::string shells = "/PROP/SHELL/9\nthin\n/PART/9\nthin\n" + ints({"9", "1"}) + "/SHELL/9\n";
+    const std::string shells = "/PROP/SHELL/9\nthin\n\n\n\n/PART/9\nthin\n" + ints({"9", "1"}) + "/SHELL/9\n";
     const Problem p =
         only(resolved(with_cards(shells + ints({"8", "1", "2", "3", "4"}) + ints({"9", "1", "2", "3", "4"}))).problems);
     EXPECT_EQ(p.field, "Thick");

@@ -20,7 +20,7 @@ std::string body(const std::string& icog, const std::string& ispher = "0", const
            fmt::format("{:>20}{:>10}\n", "2.0", 31) + "/ADMAS/0/32\nb\n" + fmt::format("{:>20}{:>10}\n", "6.0", 32) +
            fmt::format("/RBODY/9\nbody\n{:>10}{:>10}{:>10}{:>10}{:>20}{:>10}{:>10}{:>10}\n", 303, 0, 0, ispher, "8.0",
                        33, 0, icog) +
-           reals({"10.0", "20.0", "30.0"}) + (products.empty() ? "" : products);
+           reals({"10.0", "20.0", "30.0"}) + (products.empty() ? "\n" : products) + "\n";
 }
 
 RigidBody read(const std::string& cards) {
@@ -124,7 +124,7 @@ TEST(RigidBody, ANodeBelongsToOneBody) {
     const std::string second =
         "/GRNOD/NODE/31\nn\n         1       101\n/GRNOD/NODE/32\nm\n         5\n" +
         fmt::format("/RBODY/9\nbody\n{:>10}{:>10}{:>10}{:>10}{:>20}{:>10}{:>10}{:>10}\n", 5, 0, 0, 0, "8.0", 31, 0, 4) +
-        reals({"10.0", "20.0", "30.0"});
+        reals({"10.0", "20.0", "30.0"}) + "\n\n";
     const Problem p = only(resolved(with_cards(second)).problems);
     EXPECT_EQ(p.value, "node 101");
     EXPECT_NE(p.rule.find("/RBODY/7"), std::string::npos);
