@@ -15,6 +15,14 @@ double damping_of_tool(double share, double inertia, double stiffness) {
     return 2.0 * share * std::sqrt(inertia * stiffness);
 }
 
+/// Adds the count of a chunk; the first node of all is kept.
+template <class Notice>
+void join(const Notice& chunk, Notice& all) {
+    const int count = all.count + chunk.count;
+    if (all.count == 0) all = chunk;
+    all.count = count;
+}
+
 }  // namespace
 
 std::vector<V3> Contact::State::in_tool_frame(std::span<const Vec3> position, const ToolMotion& pose) const {
@@ -97,6 +105,17 @@ ContactSums Contact::State::sums() const {
     return sums;
 }
 
+/// About the axis of the spin. D40: the smallest principal one.
+/// @manual field Dampr; departure D40
+double Contact::State::inertia_of(const Vec3& spin, const ToolMotion& pose) const {
+    if (laws.as_built(Departure::D40)) return least_inertia;
+    const double size = spin.stableNorm();
+    if (!(size > 0)) return 0;
+    const Vec3 axis = pose.rotation.transpose() * (spin / size);
+    const RigidBody& tool = laws.model->rigid_bodies[static_cast<size_t>(laws.card->tool)];
+    return axis.dot(tool.inertia * axis);
+}
+
 /// @manual field Damp, Dampr, IDref; comment 19; departure D13
 ToolLoad Contact::State::tool_load(const Motion& motion) const {
     const Interface& card = *laws.card;
@@ -118,9 +137,10 @@ ToolLoad Contact::State::tool_load(const Motion& motion) const {
     load.damping = damping_of_tool(card.damp, tool.mass, d13 ? load.step_stiffness : total.value(Term::stiffness));
     load.damping_force = -load.damping * (pose.velocity - other.velocity);
     if (card.tool_rotates) {
+        const Vec3 spin = pose.angular_velocity - other.angular_velocity;
         load.rotational_damping =
-            damping_of_tool(card.dampr, least_inertia, d13 ? load.step_rotation : total.value(Term::rotation));
-        load.damping_moment = -load.rotational_damping * (pose.angular_velocity - other.angular_velocity);
+            damping_of_tool(card.dampr, inertia_of(spin, pose), d13 ? load.step_rotation : total.value(Term::rotation));
+        load.damping_moment = -load.rotational_damping * spin;
     }
     return load;
 }
@@ -148,15 +168,32 @@ void Contact::step_into(const Motion& motion, ContactStep& step) {
     State& state = *state_;
     // All but the memory is new.
     std::vector<NodeContact> nodes = std::move(step.nodes);
+    std::vector<NodeHeat> heat = std::move(step.heat);
+    std::vector<double> skid = std::move(step.skid);
     step = {};
     if (!state.started) state.start(motion);
     step.active = state.active(motion);
     if (!step.active) return;
     state.update_gaps(motion, step);
     step.nodes = std::move(nodes);
-    step.nodes.resize(state.nodes.node.size());
-    state.run(motion, {step.nodes.data(), nullptr, nullptr});
+    const size_t count = state.nodes.node.size();
+    step.nodes.resize(count);
+    Output out;
+    out.node = step.nodes.data();
+    if (state.laws.heat) {
+        step.heat = std::move(heat);
+        step.heat.resize(count);
+        out.heat = step.heat.data();
+    }
+    if (state.laws.skid) {
+        step.skid = std::move(skid);
+        step.skid.resize(count);
+        out.skid = step.skid.data();
+    }
+    state.run(motion, out);
     for (const ChunkLists& own : state.lists) {
+        join(own.below_zero, step.friction_below_zero);
+        join(own.overflow, step.friction_overflow);
         step.released.insert(step.released.end(), own.released.begin(), own.released.end());
         step.inverted.insert(step.inverted.end(), own.inverted.begin(), own.inverted.end());
         step.tool_heat.insert(step.tool_heat.end(), own.tool_heat.begin(), own.tool_heat.end());
@@ -180,7 +217,10 @@ const LeanStep& Contact::step_lean(const Motion& motion) {
     state.update_gaps(motion, gaps);
     state.lean_force.resize(state.nodes.node.size());
     state.lean_stiffness.resize(state.nodes.node.size());
-    state.run(motion, {nullptr, state.lean_force.data(), state.lean_stiffness.data()});
+    Output out;
+    out.force = state.lean_force.data();
+    out.step_stiffness = state.lean_stiffness.data();
+    state.run(motion, out);
     lean.force = state.lean_force;
     lean.step_stiffness = state.lean_stiffness;
     lean.sums = state.sums();
@@ -204,12 +244,13 @@ std::vector<EffectMemory> Contact::memory_by_effect() const {
     // What the elastic contact holds: gap, stiffness, mass, offset, count, the model's node, and the memory or the list
     // of the search.
     const size_t of_search = s.candidates ? s.candidates->bytes() / n : sizeof(Memory);
-    std::vector<EffectMemory> memory{{Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + of_search}};
+    std::vector<EffectMemory> memory{
+        {Effect::elastic, 4 * sizeof(double) + 2 * sizeof(int) + of_search, sizeof(NodeContact)}};
     if (s.laws.growth) memory.push_back({Effect::gap_growth, sizeof(double) + s.laws.growth->bytes() / n});
     if (s.laws.has(effect::friction))
         memory.push_back({Effect::friction, sizeof(V3) + s.laws.friction_table.bytes_per_node()});
-    if (s.laws.skid) memory.push_back({Effect::skid_line, sizeof(double)});
-    if (s.laws.heat) memory.push_back({Effect::heat, HeatLaw::bytes_per_node()});
+    if (s.laws.skid) memory.push_back({Effect::skid_line, sizeof(double), sizeof(double)});
+    if (s.laws.heat) memory.push_back({Effect::heat, HeatLaw::bytes_per_node(), sizeof(NodeHeat)});
     if (s.laws.release) memory.push_back({Effect::release_bcs, sizeof(char)});
     if (s.laws.deletion) memory.push_back({Effect::deletion, s.laws.deletion->bytes() / n});
     return memory;

@@ -45,6 +45,7 @@ struct Contact::State {
     void run(const Motion& motion, const Output& out);
     ContactSums sums() const;
     ToolLoad tool_load(const Motion& motion) const;
+    double inertia_of(const Vec3& spin, const ToolMotion& pose) const;
     bool active(const Motion& motion) const;
     bool has(Effect effect) const { return scene.has(interface, effect); }
 

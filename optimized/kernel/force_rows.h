@@ -16,10 +16,11 @@ struct ForceRows {
     static constexpr int capacity = Search::Batch::part;
     using Row = double[capacity];
 
-    int rank = 0;             ///< of the node in the first column
-    int at = 0;               ///< its index in the batch
-    int count = 0;            ///< columns
-    bool full_report = true;  ///< fill all rows; else in_contact, offset, friction, force and step_stiffness only
+    int rank = 0;                 ///< of the node in the first column
+    int at = 0;                   ///< its index in the batch
+    int count = 0;                ///< columns
+    ChunkLists* lists = nullptr;  ///< of the chunk; friction laws only
+    bool full_report = true;      ///< fill all rows; else in_contact, offset, friction, force and step_stiffness only
     // Input. Masks are all ones or all zeros.
     alignas(64) long long contact[capacity];  ///< retained, and contact
     alignas(64) long long first[capacity];    ///< this is the first cycle of an impact

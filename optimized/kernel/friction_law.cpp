@@ -22,16 +22,29 @@ double renard(const std::array<double, 6>& c, double s) {
     return last - 1 / (1 / (last - bottom) + past * past);
 }
 
-std::vector<int> parts_of_nodes(const ContactModel& model, const Interface& interface) {
+/// The part of each node: of its first segment. D42: the last of the deck's parts among those of its segments that
+/// the pairs name.
+std::vector<int> parts_of_nodes(const ContactModel& model, const Interface& interface,
+                                const std::vector<FrictionPair>& pairs) {
+    const bool last_named = model.as_built.has(Departure::D42);
+    const auto skipped = [&](int part) {
+        return last_named && std::none_of(pairs.begin(), pairs.end(), [part](const FrictionPair& pair) {
+                   return pair.part_a == part || pair.part_b == part;
+               });
+    };
+    std::vector<char> skip;
+    for (int part = 0; part < static_cast<int>(model.parts.size()); ++part)
+        skip.push_back(skipped(part) ? 1 : 0);
     const auto& nodes = interface.secondary.node;
     std::vector<int> part(nodes.size(), -1);
     for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.secondary_surface)].segments) {
         if (segment.shell < 0) continue;
         const int own = model.shells[static_cast<size_t>(segment.shell)].part;
+        if (skip[static_cast<size_t>(own)] != 0) continue;
         for (const int node : segment.node) {
             const auto rank = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
-            int& first = part[static_cast<size_t>(rank)];
-            if (first < 0) first = own;
+            int& kept = part[static_cast<size_t>(rank)];
+            if (kept < 0 || (last_named && own > kept)) kept = own;
         }
     }
     return part;
@@ -39,26 +52,47 @@ std::vector<int> parts_of_nodes(const ContactModel& model, const Interface& inte
 
 }  // namespace
 
+double FrictionLaw::exponential(double c, double x, double s) const {
+    return c == 0 && !drops_ ? 0.0 : c * std::exp(x * s);
+}
+
 double FrictionLaw::coefficient(const FrictionCoefficients& f, double p, double s, double factor) const {
     const auto& c = f.c;
+    // No pressure, no term of it: also where the exponential beside it overflows.
+    const auto with_pressure = [&](double term, double power) { return power == 0 && !drops_ ? 0.0 : term * power; };
     double mu = 0;
     switch (ifric_) {
         case 1:
-            mu = f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + c[4] * s * s;
+            mu = f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + (c[4] == 0 ? 0.0 : c[4] * (s * s));
             break;
         case 2:
-            mu = f.fric + c[0] * std::exp(c[1] * s) * p * p + c[2] * std::exp(c[3] * s) * p + c[4] * std::exp(c[5] * s);
+            mu = f.fric + with_pressure(exponential(c[0], c[1], s), p * p) +
+                 with_pressure(exponential(c[2], c[3], s), p) + exponential(c[4], c[5], s);
             break;
         case 3:
             mu = renard(c, s);
             break;
         case 4:
-            mu = c[0] + (reversed_ ? c[0] - f.fric : f.fric - c[0]) * std::exp(-c[1] * s);
+            mu = c[0] + exponential(reversed_ ? c[0] - f.fric : f.fric - c[0], -c[1], s);
             break;
         default:
-            return f.fric * factor;
+            return unbounded_ || f.fric * factor > 0 ? f.fric * factor : 0.0;
     }
-    return std::max(mu, 1e-30);
+    constexpr double most = std::numeric_limits<double>::max();
+    if (drops_) return mu > 1e-30 ? std::min(mu, most) : 1e-30;
+    return mu < 1e-30 && mu >= -most ? 1e-30 : mu;
+}
+
+int FrictionLaw::overflowing(const FrictionCoefficients& f, double s) const {
+    const auto& c = f.c;
+    if (ifric_ == 1) return 4;
+    if (ifric_ == 3) return c[4] == 0 ? 4 : 5;
+    if (ifric_ != 2) return 1;
+    for (const int factor : {0, 2, 4}) {
+        const auto i = static_cast<size_t>(factor);
+        if (c[i] != 0 && std::exp(c[i + 1] * s) > std::numeric_limits<double>::max()) return factor + 1;
+    }
+    return 0;
 }
 
 FrictionTable::FrictionTable(const ContactModel& model, const Interface& interface) {
@@ -72,7 +106,7 @@ FrictionTable::FrictionTable(const ContactModel& model, const Interface& interfa
     common_ = friction.fallback;
     pairs_ = friction.pairs;
     if (pairs_.empty()) return;
-    secondary_part_ = parts_of_nodes(model, interface);
+    secondary_part_ = parts_of_nodes(model, interface, pairs_);
     for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.main_surface)].segments)
         main_part_.push_back(segment.shell < 0 ? -1 : model.shells[static_cast<size_t>(segment.shell)].part);
 }

@@ -13,22 +13,34 @@
 namespace type21::optimized {
 
 /// mu of pressure p and sliding speed s, of one set of numbers.
-/// @manual eq 9, 10, 11; field Ifric; comment 13; departure D10
+/// @manual eq 9, 10, 11; field Ifric; comment 13; departure D10, D39, D43
 class FrictionLaw {
   public:
     FrictionLaw() = default;
-    FrictionLaw(int ifric, const AsBuilt& as_built) : ifric_(ifric), reversed_(as_built.has(Departure::D10)) {}
+    FrictionLaw(int ifric, const AsBuilt& as_built)
+        : ifric_(ifric),
+          reversed_(as_built.has(Departure::D10)),
+          unbounded_(as_built.has(Departure::D39)),
+          drops_(as_built.has(Departure::D43)) {}
 
+    /// Not finite where an exponential or a square overflows; D43: then the least coefficient.
     /// @param factor  f_IDF, scales Fric of law 0 [-]
     double coefficient(const FrictionCoefficients& f, double p, double s, double factor) const;
+    /// The rank among C1..C6, from 0, of the number that makes it so.
+    int overflowing(const FrictionCoefficients& f, double s) const;
 
   private:
+    /// c e^(x s); 0 where c is 0, whatever the exponential.
+    double exponential(double c, double x, double s) const;
+
     int ifric_ = 0;
     bool reversed_ = false;
+    bool unbounded_ = false;  ///< D39: law 0 may be negative
+    bool drops_ = false;      ///< D43
 };
 
 /// Which numbers hold for a pair of parts: those of the card, or those of /FRICTION.
-/// @manual field fric_ID
+/// @manual field fric_ID; departure D42
 class FrictionTable {
   public:
     FrictionTable() = default;

@@ -24,6 +24,7 @@ HeatLaw::HeatLaw(const ContactModel& model, const Interface& interface)
       heats_tool_(interface.ithe_form == 1),
       d15_(model.as_built.has(Departure::D15)),
       d32_(model.as_built.has(Departure::D32)),
+      d38_(model.as_built.has(Departure::D38)),
       conductivity_(static_cast<size_t>(interface.secondary.size())) {
     const auto function = [&](int index) { return index < 0 ? nullptr : &model.functions[static_cast<size_t>(index)]; };
     of_pressure_ = function(interface.function_conduction);
@@ -55,7 +56,8 @@ HeatLaw::HeatLaw(const ContactModel& model, const Interface& interface)
 }
 
 double HeatLaw::exchange(double pressure) const {
-    return of_pressure_ == nullptr ? double(card_.kthe) : card_.kthe * (*of_pressure_)(card_.ascalek * pressure);
+    if (of_pressure_ == nullptr) return card_.kthe;
+    return card_.kthe * (*of_pressure_)(d38_ ? card_.ascalek * pressure : pressure / card_.ascalek);
 }
 
 Heat HeatLaw::operator()(int node, double distance, double gap, double force, double blank, double tool,
@@ -65,7 +67,6 @@ Heat HeatLaw::operator()(int node, double distance, double gap, double force, do
     const double d = std::max(distance, 0.0);
     const double conductivity = conductivity_[i].a + conductivity_[i].b * blank;
     Heat heat;
-    double radiation = 0;
     if (d <= gap) {
         const double pressure = area > 0 ? std::abs(force) / area : 0.0;
         heat.conductance = area * in_series(exchange(pressure), d, conductivity);
@@ -77,10 +78,10 @@ Heat HeatLaw::operator()(int node, double distance, double gap, double force, do
         }
         if (card_.frad > 0 && (d15_ ? d - gap : d) <= card_.drad) {
             // T_m^4 - T_s^4 as a product: no two large powers cancel.
-            radiation = area * (card_.frad * (tool * tool + blank * blank) * (tool + blank) * (tool - blank)) * step;
+            heat.radiant = area * (card_.frad * (tool * tool + blank * blank) * (tool + blank));
         }
     }
-    heat.to_node = heat.conductance * (tool - blank) * step + radiation;
+    heat.to_node = (heat.conductance + heat.radiant) * (tool - blank) * step;
     return heat;
 }
 

@@ -11,12 +11,13 @@ namespace type21::optimized {
 struct Heat {
     double to_node = 0;      ///< Phi [energy]
     double conductance = 0;  ///< A / (d/k_s + 1/K) [power/temperature]
+    double radiant = 0;      ///< A Frad (T_m^2 + T_s^2)(T_m + T_s) [power/temperature]
 };
 
 /// Parameters of the card, and the conductivity of the blank at each node: the mean over its thermal shells, weighed
 /// with a quarter (a third for a triangle) of their areas.
 /// @manual eq 14, 15, 16, 17, 20; field Ithe, Kthe, fct_IDK, AscaleK, Frad, Drad, Fcond, Dcond; comment 16, 17, 22, 23
-/// @manual departure D15, D32
+/// @manual departure D15, D32, D38
 class HeatLaw {
   public:
     HeatLaw(const ContactModel& model, const Interface& interface);
@@ -38,7 +39,7 @@ class HeatLaw {
     const std::vector<double>& area_;
     const Function* of_pressure_ = nullptr;
     const Function* of_distance_ = nullptr;
-    bool nodal_tool_, heats_tool_, d15_, d32_;
+    bool nodal_tool_, heats_tool_, d15_, d32_, d38_;
     struct Conductivity {
         double a = 0, b = 0;  ///< k_s = a + b T
     };

@@ -96,7 +96,7 @@ void write_output(const Laws& laws, const NodeData& nodes, const Search::Batch& 
         for (int j = 0; j < f.count; ++j)
             report(laws, batch, j, f, nodes.gap[static_cast<size_t>(start + j)], out.node[start + j]);
         for (int j = 0; j < f.count && laws.skid; ++j)
-            out.node[start + j].skid = nodes.skid[static_cast<size_t>(start + j)];
+            out.skid[start + j] = nodes.skid[static_cast<size_t>(start + j)];
     } else {
         f.store_forces(acts, out.force, out.step_stiffness);
     }
@@ -116,6 +116,7 @@ void lanes_kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int fir
     Prefetcher prefetcher = prefetched_by_search(nodes, cycle.motion);
     add_forces(nodes, cycle.motion, out.force, out.step_stiffness, prefetcher);
     batch.prefetcher = &prefetcher;
+    f.lists = &own;
     f.full_report = out.node != nullptr || laws.has(effect::lists);
     batch.count = last - first;
     locate(laws, cycle, c, nodes, first, batch);

@@ -9,8 +9,8 @@ void coefficients_in_rows(const ForceCycle& c, const Search::Batch& at, ForceRow
     for (int j = column; j < column + count; ++j) {
         f.mu[j] = 0;
         if (f.in_contact[j] == 0) continue;
-        f.mu[j] =
-            laws.friction_coefficient(f.rank + j, at.id[f.at + j].segment(), f.normal_force[j], f.sliding[j], 1.0);
+        f.mu[j] = laws.friction_coefficient(f.rank + j, at.id[f.at + j].segment(), f.normal_force[j], f.sliding[j], 1.0,
+                                            *f.lists);
     }
 }
 

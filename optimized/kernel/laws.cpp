@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "optimized/kernel/force_rows.h"
 
@@ -63,10 +64,21 @@ Laws::Laws(const Scene& scene, int interface)
 }
 
 /// @manual eq 9; field Ifric
-double Laws::friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const {
+double Laws::friction_coefficient(int rank, int segment, double normal_force, double speed, double factor,
+                                  ChunkLists& lists) const {
     const double area = card->secondary.area[static_cast<size_t>(rank)];
     const double pressure = area > 0 ? normal_force / area : 0.0;
-    return friction_law.coefficient(friction_table.at(rank, segment), pressure, speed, factor);
+    const FrictionCoefficients& numbers = friction_table.at(rank, segment);
+    const double mu = friction_law.coefficient(numbers, pressure, speed, factor);
+    if (std::isfinite(mu) || !std::isfinite(pressure) || !std::isfinite(speed)) [[likely]]
+        return mu;
+    if (++lists.overflow.count == 1) {
+        const int culprit = friction_law.overflowing(numbers, speed);
+        lists.overflow = {1,       card->secondary.node[static_cast<size_t>(rank)],
+                          culprit, numbers.c.at(static_cast<size_t>(culprit)),
+                          speed,   pressure};
+    }
+    return mu;
 }
 
 Workspace::Workspace() : batch(std::make_unique<Search::Batch>()), forces(std::make_unique<ForceRows>()) {}

@@ -58,6 +58,22 @@ struct NodeData {
     }
 };
 
+/// What a chunk of nodes adds to a step, in the order of its nodes.
+struct ChunkLists {
+    FrictionBelowZero below_zero;
+    FrictionOverflow overflow;
+    std::vector<int> released;
+    std::vector<InvertedNormal> inverted;
+    std::vector<ToolHeat> tool_heat;
+    void clear() {
+        below_zero = {};
+        overflow = {};
+        released.clear();
+        inverted.clear();
+        tool_heat.clear();
+    }
+};
+
 /// What stays the same over a run, beside the nodes.
 struct Laws {
     Laws(const Scene& scene, int interface);
@@ -65,8 +81,10 @@ struct Laws {
     bool as_built(Departure d) const { return model->as_built.has(d); }
     unsigned effects() const { return effects_; }
     bool has(unsigned one) const { return (effects_ & one) != 0; }
-    /// mu of a node on a segment, of the law of the card or of the pair of parts. @param factor  f_IDF [-]
-    double friction_coefficient(int rank, int segment, double normal_force, double speed, double factor) const;
+    /// mu of a node on a segment, of the law of the card or of the pair of parts. What is not finite is listed.
+    /// @param factor  f_IDF [-]
+    double friction_coefficient(int rank, int segment, double normal_force, double speed, double factor,
+                                ChunkLists& lists) const;
     /// The sums that lanes_kernel fills; without friction the others are copies of these, or zero.
     std::span<const Term> terms() const { return terms_; }
 
@@ -104,23 +122,13 @@ struct Cycle {
     double filter = 1;  ///< alpha [-]
 };
 
-/// What a chunk of nodes adds to a step, in the order of its nodes.
-struct ChunkLists {
-    std::vector<int> released;
-    std::vector<InvertedNormal> inverted;
-    std::vector<ToolHeat> tool_heat;
-    void clear() {
-        released.clear();
-        inverted.clear();
-        tool_heat.clear();
-    }
-};
-
 struct ForceRows;
 
 /// Where a kernel writes, by rank of node. Without `node`, only forces and stiffness are written.
 struct Output {
     NodeContact* node = nullptr;
+    NodeHeat* heat = nullptr;          ///< with heat
+    double* skid = nullptr;            ///< with the skid line [-]
     Vec3* force = nullptr;             ///< [force]
     double* step_stiffness = nullptr;  ///< [force/length]
 };

@@ -1,5 +1,6 @@
 // One node in one cycle, in the order of the formulation. Effects are template arguments, so an absent one leaves no
 // branch.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -59,21 +60,23 @@ void heat_tool(const Laws& laws, const Decision& d, double heat, ChunkLists& lis
 }
 
 /// @manual field Ithe_form; comment 16; departure D16
-void exchange_heat(const Laws& laws, const Cycle& cycle, size_t i, int model_node, NodeContact& out,
-                   ChunkLists& lists) {
+void exchange_heat(const Laws& laws, const Cycle& cycle, size_t i, int model_node, const NodeContact& node,
+                   NodeHeat& out, ChunkLists& lists) {
     const Motion& motion = cycle.motion;
     const double blank = motion.temperature[static_cast<size_t>(model_node)];
-    const Heat heat = (*laws.heat)(static_cast<int>(i), out.distance, out.gap, out.normal_force, blank,
-                                   tool_temperature(laws, out.decision, motion), motion.step);
+    const Heat heat = (*laws.heat)(static_cast<int>(i), node.distance, node.gap, node.normal_force, blank,
+                                   tool_temperature(laws, node.decision, motion), motion.step);
     out.conductance = heat.conductance;
+    out.radiant_conductance = heat.radiant;
     out.heat = heat.to_node + out.friction_heat;
     if (laws.heat->heats_tool())
-        heat_tool(laws, out.decision, (laws.d16 ? out.friction_heat : 0.0) - heat.to_node, lists);
+        heat_tool(laws, node.decision, (laws.d16 ? out.friction_heat : 0.0) - heat.to_node, lists);
 }
 
 /// @manual eq 6, 7, 8, 12, 19; field Fric, fct_IDF, AscaleF, Pmax, ITlim, Fheat; comment 5, 12, 14, 18; departure D08
 template <unsigned Effects>
-void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, bool acts, NodeContact& out) {
+void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, bool acts, NodeContact& out,
+              NodeHeat& heat, ChunkLists& lists) {
     const Interface& card = *laws.card;
     const V3 velocity = from(out.relative_velocity), nu = from(out.normal);
     const double k = acts ? nodes.increment_stiffness(i) : 0.0;
@@ -88,10 +91,14 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
             const double blank = cycle.motion.temperature[static_cast<size_t>(nodes.node[i])];
             const double mean =
                 0.5 * (blank + (laws.d08 ? double(card.tint) : tool_temperature(laws, out.decision, cycle.motion)));
-            factor = (*laws.friction_of_temperature)(laws.d08 ? mean : card.ascalef * mean);
+            const double abscissa = laws.d08 ? mean : card.ascalef * mean;
+            factor = (*laws.friction_of_temperature)(abscissa);
+            if (card.fric * factor < 0 && ++lists.below_zero.count == 1)
+                lists.below_zero = {1, nodes.node[i], abscissa, card.fric * factor};
         }
         const double speed = norm(velocity - nu * dot(velocity, nu));
-        mu = laws.friction_coefficient(static_cast<int>(i), out.decision.segment, out.normal_force, speed, factor);
+        mu = laws.friction_coefficient(static_cast<int>(i), out.decision.segment, out.normal_force, speed, factor,
+                                       lists);
     }
     double limit = mu * std::abs(out.normal_force);
     if (on<Effects>(laws, effect::pmax) && card.itlim == 0) limit = std::min(limit, area * card.pmax / std::sqrt(3.0));
@@ -101,11 +108,10 @@ void friction(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, b
     out.friction = to_vec3(t.force);
     out.status = t.slides ? Status::slip : Status::stick;
     if (on<Effects>(laws, effect::heat) && k > 0)
-        out.friction_heat = card.fheat * (dot(t.trial - t.force, t.force) / k);
+        heat.friction_heat = card.fheat * (dot(t.trial - t.force, t.force) / k);
     if (on<Effects>(laws, effect::lists) && laws.skid) {
         const double share = t.slides ? skid_share(norm(t.force), card.pskid, area) : 0.0;
         nodes.skid[i] = std::max(nodes.skid[i], share);
-        out.skid = nodes.skid[i];
     }
 }
 
@@ -128,7 +134,7 @@ Activity activity_of(const Laws& laws, const Cycle& cycle, const NodeData& nodes
 /// @manual field VISs, IBC, Invn; comment 7, 21; departure D05
 template <unsigned Effects>
 bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, const V3& y, Activity activity,
-               const Retained& retained, NodeContact& out, ChunkLists& lists) {
+               const Retained& retained, NodeContact& out, NodeHeat& heat, ChunkLists& lists) {
     const Interface& card = *laws.card;
     const Motion& motion = cycle.motion;
     const ToolMotion& pose = cycle.pose;
@@ -136,7 +142,6 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
     const bool rare = on<Effects>(laws, effect::rare), reports = on<Effects>(laws, effect::lists);
     const double gap = nodes.gap[i];
     out.gap = gap;
-    if (reports && laws.skid) out.skid = nodes.skid[i];
     if (activity == Activity::inert) return false;
     const int model_node = nodes.node[i];
     if (!retained.exists()) {
@@ -164,7 +169,7 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
         if (!cycle.time_zero || nodes.cycles[i] == 0) {
             if (!cycle.time_zero) forget(laws, nodes, i);
             if (!heated) return false;
-            exchange_heat(laws, cycle, i, model_node, out, lists);
+            exchange_heat(laws, cycle, i, model_node, out, heat, lists);
             return true;
         }
     } else if (is_contact) {
@@ -210,9 +215,9 @@ bool node_step(const Laws& laws, const Cycle& cycle, NodeData& nodes, size_t i, 
 
     // Formulation 8, steps 1 to 12, and heat.
     if (acts) out.status = Status::slip;
-    if (on<Effects>(laws, effect::friction)) friction<Effects>(laws, cycle, nodes, i, acts, out);
+    if (on<Effects>(laws, effect::friction)) friction<Effects>(laws, cycle, nodes, i, acts, out, heat, lists);
     out.force = out.normal_force * out.normal - out.friction;
-    if (heated) exchange_heat(laws, cycle, i, model_node, out, lists);
+    if (heated) exchange_heat(laws, cycle, i, model_node, out, heat, lists);
     return true;
 }
 
@@ -255,10 +260,12 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
             const V3 y{batch.y[0][j], batch.y[1][j], batch.y[2][j]};
             NodeContact& node = out[start + j - first];
             node.decision = Decision{};
+            NodeHeat unheated;
+            NodeHeat& heat = heated ? (output.heat[start + j] = NodeHeat{}) : unheated;
             if (!node_step<Effects>(laws, cycle, nodes, static_cast<size_t>(start + j), y, activity[j],
-                                    batch.retained(j), node, lists))
+                                    batch.retained(j), node, heat, lists))
                 continue;
-            add_terms(node, motion.step, cycle.pose.position, heated, work.terms);
+            add_terms(node, heated ? &heat : nullptr, motion.step, cycle.pose.position, work.terms);
             if (work.terms.size() < TermBlock::capacity) continue;
             work.sums.add(work.terms, terms);
             work.terms.clear();
@@ -268,6 +275,7 @@ void kernel(const Laws& laws, const Cycle& cycle, NodeData& nodes, int first, in
         work.sums.add(work.terms, terms);
         work.terms.clear();
     }
+    if (output.skid != nullptr) std::copy(nodes.skid.begin() + first, nodes.skid.begin() + last, output.skid + first);
     if (output.node == nullptr) {
         for (int i = first; i < last; ++i) {
             output.force[i] = out[i - first].force;

@@ -4,7 +4,7 @@
 
 namespace type21::optimized {
 
-void add_terms(const NodeContact& n, double step, const Vec3& center, bool heat, TermBlock& block) {
+void add_terms(const NodeContact& n, const NodeHeat* heat, double step, const Vec3& center, TermBlock& block) {
     double* at = block.column();
     const auto put = [&](Term term, double value) { at[static_cast<int>(term) * TermBlock::stride] = value; };
     const auto put_vector = [&](Term first, const V3& v) {
@@ -40,9 +40,9 @@ void add_terms(const NodeContact& n, double step, const Vec3& center, bool heat,
             at[t * TermBlock::stride] = 0;
     }
     put(Term::elastic_energy, n.elastic_energy);
-    if (heat) {
-        put(Term::friction_heat, n.friction_heat);
-        put(Term::heat_to_blank, n.heat);
+    if (heat != nullptr) {
+        put(Term::friction_heat, heat->friction_heat);
+        put(Term::heat_to_blank, heat->heat);
     }
     block.next();
 }

@@ -6,7 +6,8 @@
 namespace type21::optimized {
 
 /// Fills the next column of the block.
-/// @param step    dt1 [time]   @param center  x_G [length]   @param heat  fill the rows of heat?
-void add_terms(const NodeContact& node, double step, const Vec3& center, bool heat, TermBlock& block);
+/// @param heat  of the node; null: the rows of heat are not filled
+/// @param step  dt1 [time]   @param center  x_G [length]
+void add_terms(const NodeContact& node, const NodeHeat* heat, double step, const Vec3& center, TermBlock& block);
 
 }  // namespace type21::optimized

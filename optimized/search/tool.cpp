@@ -63,6 +63,19 @@ Tool::Tool(std::vector<V3> position, std::vector<V3> normal, std::vector<std::ar
     find_extents();
 }
 
+namespace {
+
+/// The segments that count in the normals: each once.
+std::vector<std::array<int, 4>> without_repeated(const Surface& surface,
+                                                 const std::vector<std::array<int, 4>>& corner) {
+    std::vector<std::array<int, 4>> counted;
+    for (size_t rank = 0; rank < corner.size(); ++rank)
+        if (!surface.is_repeated(static_cast<int>(rank))) counted.push_back(corner[rank]);
+    return counted;
+}
+
+}  // namespace
+
 Tool::Tool(const ContactModel& model, const Interface& interface) {
     const Vec3& center = model.rigid_bodies[static_cast<size_t>(interface.tool)].center;
     const auto& main = interface.main_nodes;
@@ -81,7 +94,9 @@ Tool::Tool(const ContactModel& model, const Interface& interface) {
             corner[j] = rank[static_cast<size_t>(segment.node[j])];
         corner_.push_back(corner);
     }
-    const std::vector<V3> normal = nodal_normals(position, corner_);
+    const Surface& surface = model.surfaces[static_cast<size_t>(interface.main_surface)];
+    const std::vector<V3> normal =
+        nodal_normals(position, surface.repeated.empty() ? corner_ : without_repeated(surface, corner_));
     vertex_.reserve(position.size());
     for (size_t i = 0; i < position.size(); ++i)
         vertex_.push_back({position[i], normal[i]});

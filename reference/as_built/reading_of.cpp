@@ -6,7 +6,7 @@
 #include "reference/as_built/d05_elastic_energy.h"
 #include "reference/as_built/d06_d07_d28_filter.h"
 #include "reference/as_built/d08_friction_temperature.h"
-#include "reference/as_built/d10_exponential_law.h"
+#include "reference/as_built/d10_d39_d43_friction_law.h"
 #include "reference/as_built/d11_proximity.h"
 #include "reference/as_built/d12_contact_normal.h"
 #include "reference/as_built/d13_tool_damping.h"
@@ -16,6 +16,9 @@
 #include "reference/as_built/d31_first_impact.h"
 #include "reference/as_built/d34_reach_box.h"
 #include "reference/as_built/d35_d37_limits.h"
+#include "reference/as_built/d38_pressure_scale.h"
+#include "reference/as_built/d40_tool_inertia.h"
+#include "reference/as_built/d42_node_parts.h"
 
 namespace type21::reference::as_built {
 
@@ -38,7 +41,13 @@ ContactReading reading_of(const ContactModel& model, const Interface& interface)
         };
     }
     if (on(D08)) reading.friction_temperature = friction_temperature;
-    if (on(D10)) reading.friction_coefficient = friction_coefficient;
+    if (on(D10) || on(D39) || on(D43)) {
+        const FrictionLawDepartures departures{on(D10), on(D39), on(D43)};
+        reading.friction_coefficient = [departures](int ifric, const FrictionCoefficients& numbers, double pressure,
+                                                    double speed) {
+            return friction_coefficient(departures, ifric, numbers, pressure, speed);
+        };
+    }
     if (on(D11)) let_proximity_compete(reading);
     if (on(D12))
         reading.impact.geometry = [](const RetainedProjection& retained) {
@@ -64,6 +73,9 @@ ContactReading reading_of(const ContactModel& model, const Interface& interface)
     }
     if (on(D35)) lift_leaning_normals(reading.impact.limits);
     if (on(D37)) reading.division_radius_factor = division_radius_factor;
+    if (on(D38)) reading.conduction_abscissa = conduction_abscissa;
+    if (on(D40)) reading.damped_inertia = damped_inertia;
+    if (on(D42)) reading.node_parts = node_parts;
     // Last, since what D31 does not change at time 0 is that of every cycle.
     reading.first_impact = on(D31) ? first_impact(reading.impact) : reading.impact;
     return reading;

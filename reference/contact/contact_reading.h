@@ -8,6 +8,7 @@
 #include "reference/contact/friction_law.h"
 #include "reference/contact/gap_growth.h"
 #include "reference/contact/heat_laws.h"
+#include "reference/contact/node_parts.h"
 #include "reference/contact/normal_force.h"
 #include "reference/contact/penetration_offset.h"
 #include "reference/contact/retained_impact.h"
@@ -68,12 +69,14 @@ struct ContactReading {
     std::function<double(const Interface&, double, double)> friction_temperature =
         reference::friction_temperature;  // D08
     std::function<double(int, const FrictionCoefficients&, double, double)> friction_coefficient =
-        reference::friction_coefficient;                                                           // D10
+        reference::friction_coefficient;  // D10, D39, D43
+    std::function<std::vector<int>(const ContactModel&, const Interface&)> node_parts = reference::node_parts;  // D42
     std::function<double(const Interface&, double)> filter_constant = reference::filter_constant;  // D06, D07, D28
 
     // Chapter 9
-    std::function<double(const Interface&)> heat_reach = reference::heat_reach;                     // D11
-    std::function<HeatZones(const Interface&, double, double)> heat_zones = reference::heat_zones;  // D15
+    std::function<double(const Interface&)> heat_reach = reference::heat_reach;                            // D11
+    std::function<HeatZones(const Interface&, double, double)> heat_zones = reference::heat_zones;         // D15
+    std::function<double(const Interface&, double)> conduction_abscissa = reference::conduction_abscissa;  // D38
     std::function<double(double, double, double, double)> distance_conductance =
         reference::distance_conductance;  // D32
     /// Share of a node's friction heat that goes to the tool as well, with Ithe_form 1.  Formulation 9, step 10; D16
@@ -82,6 +85,8 @@ struct ContactReading {
     double division_radius_factor = 1;
     std::function<ToolStiffness(const ToolStiffness&, const ToolStiffness&)> tool_damping_stiffness =
         reference::tool_damping_stiffness;  // D13
+    std::function<double(const RigidBody&, const Mat3&, const Vec3&)> damped_inertia =
+        reference::damped_inertia;  // D40
 };
 
 }  // namespace type21::reference

@@ -16,10 +16,18 @@ struct FrictionInput {
     double stiffness = 0;                                  ///< k of the increment [force/length]
     double step = 0;                                       ///< dt1 [time]
     double cap = std::numeric_limits<double>::infinity();  ///< A Pmax / sqrt(3) with ITlim 0 and Igap 2 [force]
+    double abscissa = 0;                                   ///< of fct_IDF [temperature]
     double temperature_factor = 1;                         ///< f_IDF, scales Fric of law 0 [-]
     int part_main = -1;            ///< index into ContactModel::parts of the main segment's part, -1: none
     Vec3 velocity = Vec3::Zero();  ///< v of the node relative to the tool at X [velocity]
     Vec3 normal = Vec3::Zero();    ///< nu [-]
+};
+
+/// The friction coefficient of a node and what it depends on.
+struct FrictionState {
+    double pressure = 0;     ///< F_n / A [pressure]
+    double speed = 0;        ///< s [velocity]
+    double coefficient = 0;  ///< mu; not finite where the law overflows [-]
 };
 
 /// Present only when the scene asks for friction. Node i is the rank in SecondarySide::node; it is not checked.
@@ -28,11 +36,12 @@ class Friction {
     /// @param reading  law of the coefficient and filter, as documented or as built
     Friction(const ContactModel& model, const Interface& interface, const ContactReading& reading);
 
+    /// mu of node i for this input.  Formulation 8, step 2 to step 7.
+    FrictionState state(int i, const FrictionInput& input) const;
     /// F_t of node i in this cycle; remembered for the next.
-    /// @return [force].  Formulation 8, step 2 to step 11.
-    FrictionForce act(int i, const FrictionInput& input);
-    /// mu of node i for this input [-].  Formulation 8, step 2 to step 7.
-    double coefficient(int i, const FrictionInput& input) const;
+    /// @param coefficient  mu [-]
+    /// @return [force].  Formulation 8, step 8 to step 11.
+    FrictionForce act(int i, const FrictionInput& input, double coefficient);
     /// Index into ContactModel::parts of the node's part, for the pairs of /FRICTION; -1: none.
     int part(int i) const { return part_[static_cast<size_t>(i)]; }
     /// F_t of the last cycle, as it will enter the next trial, global axes [force].

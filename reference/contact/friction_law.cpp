@@ -7,14 +7,20 @@ namespace type21::reference {
 
 namespace {
 
+/// One factor times another; 0 where the first is 0, also when the second has overflowed.
+double times(double one, double other) {
+    return one == 0 ? 0.0 : one * other;
+}
+
 double viscous(const FrictionCoefficients& f, double p, double s) {
     const auto& c = f.c;
-    return f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + c[4] * s * s;
+    return f.fric + c[0] * p + c[1] * s + c[2] * p * s + c[3] * p * p + times(c[4], s * s);
 }
 
 double darmstadt(const FrictionCoefficients& f, double p, double s) {
     const auto& c = f.c;
-    return f.fric + c[0] * std::exp(c[1] * s) * p * p + c[2] * std::exp(c[3] * s) * p + c[4] * std::exp(c[5] * s);
+    return f.fric + times(p * p, times(c[0], std::exp(c[1] * s))) + times(p, times(c[2], std::exp(c[3] * s))) +
+           times(c[4], std::exp(c[5] * s));
 }
 
 double renard(const FrictionCoefficients& f, double s) {
@@ -32,7 +38,12 @@ double renard(const FrictionCoefficients& f, double s) {
 }
 
 double exponential_decay(const FrictionCoefficients& f, double s) {
-    return f.c[0] + (f.fric - f.c[0]) * std::exp(-f.c[1] * s);
+    return f.c[0] + times(f.fric - f.c[0], std::exp(-f.c[1] * s));
+}
+
+/// Not below the smallest; what is not finite stays as it is.
+double raised(double mu) {
+    return std::isfinite(mu) ? std::max(mu, smallest_friction_coefficient) : mu;
 }
 
 }  // namespace
@@ -40,15 +51,32 @@ double exponential_decay(const FrictionCoefficients& f, double s) {
 double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed) {
     switch (ifric) {
         case 1:
-            return std::max(viscous(coefficients, pressure, speed), smallest_friction_coefficient);
+            return raised(viscous(coefficients, pressure, speed));
         case 2:
-            return std::max(darmstadt(coefficients, pressure, speed), smallest_friction_coefficient);
+            return raised(darmstadt(coefficients, pressure, speed));
         case 3:
-            return std::max(renard(coefficients, speed), smallest_friction_coefficient);
+            return raised(renard(coefficients, speed));
         case 4:
-            return std::max(exponential_decay(coefficients, speed), smallest_friction_coefficient);
+            return raised(exponential_decay(coefficients, speed));
         default:
-            return coefficients.fric;
+            return std::max(coefficients.fric, 0.0);
+    }
+}
+
+size_t overflowing_coefficient(int ifric, const FrictionCoefficients& coefficients, double speed) {
+    const auto& c = coefficients.c;
+    const auto overflows = [&](size_t rank) { return !std::isfinite(std::exp(c[rank] * speed)); };
+    switch (ifric) {
+        case 1:
+            return 4;
+        case 2:
+            if (c[0] != 0 && overflows(1)) return 1;
+            if (c[2] != 0 && overflows(3)) return 3;
+            return c[4] != 0 && overflows(5) ? 5 : 0;
+        case 3:
+            return c[4] == 0 ? 4 : 5;
+        default:
+            return 1;
     }
 }
 

@@ -18,14 +18,20 @@ inline constexpr double smallest_friction_coefficient = 1e-30;
 ///   C5 < s < C6:  C3 + (C4 - C3) y^2 (3 - 2 y),       y = (s - C5) / (C6 - C5)
 ///   s >= C6:      C2 - 1 / (1 / (C2 - C4) + (s - C6)^2)
 /// Exponential, Ifric 4 (not on the manual page): mu = C1 + (Fric - C1) e^(-C2 s)
-/// Laws 1 to 4 are raised to at least smallest_friction_coefficient.
+/// Laws 1 to 4 are raised to at least smallest_friction_coefficient, law 0 to at least 0, which fct_IDF may undercut. A
+/// term whose coefficient or pressure is 0 is 0, also when its exponential or square overflows.
 /// @param ifric         0 to 4; another value acts as 0
 /// @param coefficients  Fric and C1..C6, in the units that the law asks for; they are not checked here
 /// @param pressure      F_n / A, damping included, negative where the damping pulls [pressure]
 /// @param speed         s = |v - v_n nu|, >= 0 [velocity]
-/// @return mu [-].  Formulation 8, step 3 to step 7; manual page, comments 12 and 13; as built: D10.
+/// @return mu [-]; not finite where a term overflows.  Formulation 8, step 3 to step 7; manual page, comments 12 and
+/// 13; as built: D10, D39, D43.
 /// @manual eq 9, 10, 11; field Ifric, Fric, C1, C2, C3, C4, C5, C6; comment 12, 13
 double friction_coefficient(int ifric, const FrictionCoefficients& coefficients, double pressure, double speed);
+
+/// Which of C1..C6 makes a coefficient that is not finite.
+/// @return its rank, from 0.  Formulation 8, step 7.
+size_t overflowing_coefficient(int ifric, const FrictionCoefficients& coefficients, double speed);
 
 /// Coefficients of the card, or of the /FRICTION that replaces it: of the listed pair of parts, or else its default.
 /// @param part_secondary  index into ContactModel::parts of the node's part, -1: none

@@ -40,7 +40,7 @@ HeatExchange::HeatExchange(const ContactModel& model, const Interface& interface
 double HeatExchange::exchange(double pressure) const {
     if (interface_.function_conduction < 0) return interface_.kthe;
     const Function& function = model_.functions[static_cast<size_t>(interface_.function_conduction)];
-    return interface_.kthe * function(interface_.ascalek * pressure);
+    return interface_.kthe * function(reading_.conduction_abscissa(interface_, pressure));
 }
 
 HeatFlow HeatExchange::flow(int i, const HeatInput& input) const {
@@ -64,6 +64,8 @@ HeatFlow HeatExchange::flow(int i, const HeatInput& input) const {
     flow.conductance = area * conductance;
     flow.heat = flow.conductance * difference * input.step;
     if (zones.radiation) {
+        flow.radiant_conductance =
+            area * radiant_conductance(interface_.frad, input.tool_temperature, input.blank_temperature);
         flow.heat += area * radiated(interface_.frad, input.tool_temperature, input.blank_temperature) * input.step;
     }
     return flow;

@@ -31,8 +31,9 @@ struct HeatInput {
 
 /// Heat of one node in one cycle.
 struct HeatFlow {
-    double heat = 0;         ///< Phi, to the node [energy]
-    double conductance = 0;  ///< A / (...), for the thermal step [power/temperature]
+    double heat = 0;                 ///< Phi, to the node [energy]
+    double conductance = 0;          ///< A / (...) of the conduction [power/temperature]
+    double radiant_conductance = 0;  ///< A h_r of the radiation [power/temperature]
 };
 
 /// Parameters and conductivities of the heat exchange. Present only with Ithe. Node i is the rank in

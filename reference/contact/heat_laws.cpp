@@ -20,6 +20,10 @@ HeatZones heat_zones(const Interface& interface, double distance, double gap) {
     return zones;
 }
 
+double conduction_abscissa(const Interface& interface, double pressure) {
+    return pressure / interface.ascalek;
+}
+
 double conduction_conductance(double exchange, double distance, double conductivity) {
     if (exchange <= 0) return 0;
     if (distance <= 0) return exchange;
@@ -32,10 +36,14 @@ double distance_conductance(double exchange, double share, double gap, double co
 }
 
 double radiated(double frad, double tool_temperature, double blank_temperature) {
+    // (T_m^4 - T_s^4) without the cancellation of two large powers.
+    return radiant_conductance(frad, tool_temperature, blank_temperature) * (tool_temperature - blank_temperature);
+}
+
+double radiant_conductance(double frad, double tool_temperature, double blank_temperature) {
     const double tool2 = tool_temperature * tool_temperature;
     const double blank2 = blank_temperature * blank_temperature;
-    // (T_m^4 - T_s^4) without the cancellation of two large powers.
-    return frad * (tool2 + blank2) * (tool_temperature + blank_temperature) * (tool_temperature - blank_temperature);
+    return frad * (tool2 + blank2) * (tool_temperature + blank_temperature);
 }
 
 }  // namespace type21::reference

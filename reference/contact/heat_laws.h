@@ -25,8 +25,14 @@ struct HeatZones {
 /// @manual eq 16; field Drad, Dcond; comment 17, 23
 HeatZones heat_zones(const Interface& interface, double distance, double gap);
 
+/// Abscissa of fct_IDK: the pressure over AscaleK, in equation (15).
+/// @param pressure  |F_n| / A [pressure]
+/// @return [-].  Formulation 9, step 7; as built: D38.
+/// @manual field AscaleK
+double conduction_abscissa(const Interface& interface, double pressure);
+
 /// Conductance of the gap, per area:  1 / (d/k_s + 1/K), equation (14); 0 where K or the conductivity is 0.
-/// @param exchange      K, Kthe or Kthe f_K(AscaleK |F_n| / A), equation (15) [power/(area temperature)]
+/// @param exchange      K, Kthe or Kthe f_K(|F_n| / (A AscaleK)), equation (15) [power/(area temperature)]
 /// @param distance      d [length]
 /// @param conductivity  k_s of the blank [power/(length temperature)]
 /// @return [power/(area temperature)], >= 0.  Formulation 9, step 7; manual page, comment 16.
@@ -46,8 +52,12 @@ double distance_conductance(double exchange, double share, double gap, double co
 /// @param frad               Frad [power/(area temperature^4)]
 /// @param tool_temperature   T_m, absolute [temperature]
 /// @param blank_temperature  T_s, absolute [temperature]
-/// @return to the blank [power/area].  Formulation 9, step 9; manual page, comment 17.
+/// @return h_r (T_m - T_s), to the blank [power/area].  Formulation 9, step 9; manual page, comment 17.
 /// @manual eq 17; field Frad; comment 17
 double radiated(double frad, double tool_temperature, double blank_temperature);
+
+/// h_r = Frad (T_m^2 + T_s^2)(T_m + T_s), what radiation conducts per area: for the thermal step.
+/// @return [power/(area temperature)].  Formulation 9, step 9; Formulation 11, step 3.
+double radiant_conductance(double frad, double tool_temperature, double blank_temperature);
 
 }  // namespace type21::reference

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "reference/contract/rigid_body.h"
 #include "reference/contract/vector.h"
 
 namespace type21::reference {
@@ -20,9 +21,19 @@ inline ToolStiffness tool_damping_stiffness(const ToolStiffness& contact, [[mayb
     return contact;
 }
 
+/// Inertia on which the rotation of a tool is damped: about the axis of its spin.
+/// @param rotation  R, from the axes of time 0 to global ones [-]
+/// @param spin      Omega - Omega_ref, global axes; 0: no axis and no moment [1/time]
+/// @return I = <u, R I_0 R^T u>, u along the spin; 0 without a spin [mass length^2].  Formulation 9, step 16; as
+/// built: D40.
+/// @manual field Dampr; comment 19
+inline double damped_inertia(const RigidBody& tool, const Mat3& rotation, const Vec3& spin) {
+    return inertia_about(tool.inertia, rotation.transpose() * spin);
+}
+
 /// C = 2 share sqrt(inertia * stiffness): the share of the critical damping of the tool on its contact.
 /// @param share      Damp, or Dampr for the rotation [-]
-/// @param inertia    M, mass of the tool [mass], or I, its smallest principal inertia [mass length^2]
+/// @param inertia    M, mass of the tool [mass], or I of damped_inertia() [mass length^2]
 /// @param stiffness  sum of k [force/length], or of k |X - x_G|^2 [moment]
 /// @return C [force time/length], or [moment time] for the rotation.  Formulation 9, step 16.
 /// @manual field Damp, Dampr; comment 19

@@ -52,7 +52,13 @@ ToolSurface::ToolSurface(const ContactModel& model, const Interface& interface)
         }
         local_.push_back(local);
     }
-    normal_ = nodal_normals(position_, local_);
+    // A segment that stands in the surface twice counts once in the normals. As built: D41, where none is noted.
+    const Surface& surface = model.surfaces[static_cast<size_t>(interface.main_surface)];
+    std::vector<std::array<int, 4>> counted;
+    counted.reserve(local_.size());
+    for (size_t rank = 0; rank < local_.size(); ++rank)
+        if (!surface.is_repeated(static_cast<int>(rank))) counted.push_back(local_[rank]);
+    normal_ = nodal_normals(position_, counted);
     for (const Vec3& y : position_) {
         if (y.squaredNorm() > farthest_.squaredNorm()) farthest_ = y;
     }

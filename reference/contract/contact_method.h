@@ -22,10 +22,11 @@ struct InitialPenetration {
     Vec3 normal = Vec3::Zero();  ///< nu, outward of the tool, global axes [-]
 };
 
-/// Memory that an effect holds for each secondary node.
+/// Memory that an effect takes for each secondary node.
 struct EffectMemory {
     Effect effect = Effect::elastic;
-    size_t bytes_per_node = 0;  ///< [byte]
+    size_t bytes_per_node = 0;         ///< that the contact holds from cycle to cycle [byte]
+    size_t report_bytes_per_node = 0;  ///< that a ContactStep of one cycle has for it [byte]
 };
 
 /// One TYPE21 interface with its history: friction force, penetration offset, contact count and what effects remember
@@ -59,8 +60,8 @@ class ContactMethod {
     /// share a Scene. The optimized implementation uses the threads of the calling TBB arena; its result is the same
     /// bits for any number of them.
     ///
-    /// **Cost.** Proportional to the secondary nodes, with about 300 bytes written for each (NodeContact). The
-    /// reference projects a node on every segment whose box holds it.
+    /// **Cost.** Proportional to the secondary nodes, with about 300 bytes written for each (NodeContact; NodeHeat and
+    /// skid ratio where they are present). The reference projects a node on every segment whose box holds it.
     ///
     /// @throws std::bad_alloc
     virtual ContactStep step(const Motion& motion) = 0;

@@ -34,10 +34,14 @@ struct NodeContact {
     Vec3 friction = Vec3::Zero();           ///< F_t, on the tool [force]
     Vec3 force = Vec3::Zero();              ///< on the node: F_n nu - F_t [force]
     double step_stiffness = 0;              ///< k + C/dt1, for the time step [force/length]
-    double skid = 0;                        ///< largest skid ratio since the start [-]
-    double friction_heat = 0;               ///< Fheat q of this cycle [energy]
-    double heat = 0;                        ///< to the node from tool and friction in this cycle [energy]
-    double conductance = 0;                 ///< A / (d/k_s + 1/K), for the thermal step [power/temperature]
+};
+
+/// Heat of one node in one cycle; zero outside of every zone.  Formulation 9, step 6 to step 10.
+struct NodeHeat {
+    double heat = 0;                 ///< to the node from tool and friction [energy]
+    double friction_heat = 0;        ///< Fheat q, a part of it [energy]
+    double conductance = 0;          ///< A / (d/k_s + 1/K) of the conduction [power/temperature]
+    double radiant_conductance = 0;  ///< A h_r of the radiation [power/temperature]
 };
 
 /// Heat that a tool node receives in one cycle.
@@ -91,10 +95,30 @@ struct InvertedNormal {
     double penetration = 0;  ///< p_g [length]
 };
 
-/// One cycle of one interface. Vectors are empty where their effect is absent.
+/// Nodes at which fct_IDF is negative, and with it Fric f_IDF.  Formulation 8, step 3.
+struct FrictionBelowZero {
+    int count = 0;           ///< nodes of this cycle
+    int node = -1;           ///< the first, index into ContactModel::nodes
+    double abscissa = 0;     ///< of fct_IDF there: AscaleF times the mean temperature of both sides [temperature]
+    double coefficient = 0;  ///< Fric f_IDF there, before it is raised to 0 [-]
+};
+
+/// Nodes at which the friction law is not a finite number. Their forces mean nothing.  Formulation 8, step 7.
+struct FrictionOverflow {
+    int count = 0;        ///< nodes of this cycle
+    int node = -1;        ///< the first, index into ContactModel::nodes
+    int coefficient = 0;  ///< which of C1..C6 makes it so, from 0
+    double value = 0;     ///< of that coefficient, in the units that the law asks for
+    double speed = 0;     ///< s [velocity]
+    double pressure = 0;  ///< F_n / A [pressure]
+};
+
+/// One cycle of one interface. Vectors are empty where their effect is absent, and while the interface is inactive.
 struct ContactStep {
     bool active = false;             ///< Tstart, Tstop, sensor
-    std::vector<NodeContact> nodes;  ///< like SecondarySide::node; empty while inactive
+    std::vector<NodeContact> nodes;  ///< like SecondarySide::node
+    std::vector<NodeHeat> heat;      ///< likewise, with Ithe
+    std::vector<double> skid;        ///< likewise, with Pskid: the largest skid ratio since the start [-]
     ContactSums sums;
     ToolLoad tool;
     std::vector<int> released;  ///< nodes (index into ContactModel::nodes) whose IBC translations are free from now on
@@ -102,8 +126,10 @@ struct ContactStep {
     /// By segment node, a node may come more than once; empty unless the tool is heated.  Formulation 9, step 11.
     std::vector<ToolHeat> tool_heat;
     std::vector<AdaptiveElement> adaptive;  ///< like the segments of the secondary surface; empty without Iadm
-    double smallest_gap_raw = 0;            ///< of g_s over the nodes, before Gapmin and Gapmax act [length]
-    double largest_gap_raw = 0;             ///< the largest of g_s, likewise [length]
+    FrictionBelowZero friction_below_zero;
+    FrictionOverflow friction_overflow;
+    double smallest_gap_raw = 0;  ///< of g_s over the nodes, before Gapmin and Gapmax act [length]
+    double largest_gap_raw = 0;   ///< the largest of g_s, likewise [length]
 };
 
 }  // namespace type21

@@ -73,6 +73,19 @@ std::vector<DepartureRow> make_table() {
         yes(D36, "Kthe 0 with fct_IDK means no conduction", "it means 1"),
         yes(D37, "an element is to be divided where the tool radius is below NRadm times its longest edge",
             "below sqrt(2) times that"),
+        yes(D38, "fct_IDK is taken at the pressure over AscaleK",
+            "it is taken at AscaleK times the pressure, and Kthe is the number as written in any units"),
+        yes(D39, "Ifric 0 with fct_IDF: the coefficient is at least 0",
+            "it is not bounded, and a negative one drives the sliding"),
+        yes(D40, "Dampr uses the inertia about the axis of the rotation", "it uses the smallest principal inertia"),
+        yes(D41, "a segment that a surface holds twice counts once in its areas and normals", "it counts twice"),
+        yes(D42, "/FRICTION: a node has the part of its first segment in the secondary surface",
+            "it has, of its parts in the pairs of /FRICTION, the last one of the deck"),
+        yes(D43, "Ifric 2 and 4: a term with the coefficient 0 is 0",
+            "where its exponential overflows the friction coefficient drops to 1e-30"),
+        no(D44, "the columns of the time history are the same on any number of domains",
+           "the sums of absolute values are wrong on more than one domain",
+           "not reproduced: a run here has one domain, and its sums are the same for any number of threads"),
     };
 }
 

@@ -1,6 +1,7 @@
 /// @file Nodes, shells, parts, surfaces and groups of the model.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -85,6 +86,14 @@ struct Surface {
     Id id = 0;
     std::string title;
     std::vector<Segment> segments;  ///< in the order of the deck; their rank + 1 is the segment number
+    /// Ranks, ascending, of the segments whose nodes an earlier segment has, in whatever order: they add neither to
+    /// areas nor to normals. Empty with D41.  Formulation 1, step 4; Formulation 7, step 3.
+    std::vector<int> repeated;
+
+    /// Whether the segment of this rank is one of `repeated`.
+    bool is_repeated(int rank) const {
+        return !repeated.empty() && std::binary_search(repeated.begin(), repeated.end(), rank);
+    }
 };
 
 struct NodeGroup {

@@ -25,4 +25,9 @@ struct RigidBody {
 /// @param inertia  about the centre, any axes [mass length^2]
 double smallest_inertia(const Mat3& inertia);
 
+/// Inertia about an axis through the centre: <u, I u> with the unit vector u along it.
+/// @param inertia  about the centre [mass length^2]
+/// @param axis     any length, in the axes of the inertia; the zero vector is no axis, and gives 0
+double inertia_about(const Mat3& inertia, const Vec3& axis);
+
 }  // namespace type21

@@ -49,7 +49,7 @@ double energy_of(const std::vector<NodeContact>& nodes) {
 
 void add_heat(const ContactStep& step, ContactSums& sums) {
     ExactSum friction_heat, to_blank, to_tool;
-    for (const NodeContact& node : step.nodes) {
+    for (const NodeHeat& node : step.heat) {
         friction_heat.add(node.friction_heat);
         to_blank.add(node.heat);
     }
@@ -88,8 +88,8 @@ Resultants resultants_of(const std::vector<NodeContact>& nodes, const Vec3& cent
 
 /// Damping of the tool's own motion, relative to the tool of IDref if there is one.  Formulation 9, step 16.
 /// @param stiffness  on which the tool is damped
-void damp_tool(const ContactModel& model, const Interface& card, const Motion& motion, const ToolStiffness& stiffness,
-               ToolLoad& load) {
+void damp_tool(const ContactModel& model, const Interface& card, const ContactReading& reading, const Motion& motion,
+               const ToolStiffness& stiffness, ToolLoad& load) {
     const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
     const RigidBody& tool = model.rigid_bodies[static_cast<size_t>(card.tool)];
     ToolMotion reference;
@@ -100,7 +100,9 @@ void damp_tool(const ContactModel& model, const Interface& card, const Motion& m
     load.damping = tool_damping_coefficient(card.damp, tool.mass, stiffness.translation);
     load.damping_force = tool_damping(load.damping, pose.velocity, reference.velocity);
     if (!card.tool_rotates || card.dampr == 0) return;
-    load.rotational_damping = tool_damping_coefficient(card.dampr, smallest_inertia(tool.inertia), stiffness.rotation);
+    const Vec3 spin = pose.angular_velocity - reference.angular_velocity;
+    const double inertia = reading.damped_inertia(tool, pose.rotation, spin);
+    load.rotational_damping = tool_damping_coefficient(card.dampr, inertia, stiffness.rotation);
     load.damping_moment = tool_damping(load.rotational_damping, pose.angular_velocity, reference.angular_velocity);
 }
 
@@ -123,6 +125,8 @@ ContactStep Contact::step(const Motion& motion) {
 
     // Chapters 1 to 9: each node on its own.
     step.nodes.reserve(state.nodes.size());
+    if (state.heat_exchange) step.heat.resize(state.nodes.size());
+    if (state.skid_line) step.skid.resize(state.nodes.size());
     for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i)
         step.nodes.push_back(state.node_step(i, motion, step));
 
@@ -141,18 +145,19 @@ ContactStep Contact::step(const Motion& motion) {
     step.tool.step_rotation = resultants.step.rotation;
     if (state.has(Effect::tool_damping)) {
         const ToolStiffness stiffness = state.reading.tool_damping_stiffness(resultants.contact, resultants.step);
-        damp_tool(*state.model, state.card(), motion, stiffness, step.tool);
+        damp_tool(*state.model, state.card(), state.reading, motion, stiffness, step.tool);
     }
     return step;
 }
 
 std::vector<EffectMemory> Contact::memory_by_effect() const {
     const State& state = *state_;
-    std::vector<EffectMemory> memory{{Effect::elastic, sizeof(NodeConstants) + sizeof(PenetrationHistory)}};
+    std::vector<EffectMemory> memory{
+        {Effect::elastic, sizeof(NodeConstants) + sizeof(PenetrationHistory), sizeof(NodeContact)}};
     if (state.gap_growth) memory.push_back({Effect::gap_growth, GapGrowth::bytes_per_node()});
     if (state.friction) memory.push_back({Effect::friction, Friction::bytes_per_node()});
-    if (state.skid_line) memory.push_back({Effect::skid_line, SkidLine::bytes_per_node()});
-    if (state.heat_exchange) memory.push_back({Effect::heat, HeatExchange::bytes_per_node()});
+    if (state.skid_line) memory.push_back({Effect::skid_line, SkidLine::bytes_per_node(), sizeof(double)});
+    if (state.heat_exchange) memory.push_back({Effect::heat, HeatExchange::bytes_per_node(), sizeof(NodeHeat)});
     if (state.release) memory.push_back({Effect::release_bcs, Release::bytes_per_node()});
     if (state.deletion) memory.push_back({Effect::deletion, Deletion::bytes_per_node()});
     return memory;

@@ -88,7 +88,9 @@ struct Contact::State {
     void normal_force(int i, const Motion& motion, NodeContact& out) const;
     /// Chapter 8.
     /// @param acts  the stiffness acts (Formulation 6, step 4)
-    void friction_force(int i, const Motion& motion, bool acts, NodeContact& out);
+    void friction_force(int i, const Motion& motion, bool acts, NodeContact& out, ContactStep& step);
+    /// Says in the step where the coefficient is below zero or not finite.
+    void note_friction(int i, const FrictionInput& input, const FrictionState& state, ContactStep& step) const;
     FrictionInput friction_input(int i, const Motion& motion, const NodeContact& node, bool acts) const;
     /// What limits the node under Pmax.  Formulation 7, step 3.
     PmaxLimit pmax_limit(int i) const;
@@ -97,7 +99,7 @@ struct Contact::State {
 
     // Chapter 9, heat of one node: node_heat.cpp
 
-    void heat(int i, const Motion& motion, NodeContact& out, ContactStep& step) const;
+    void heat(int i, const Motion& motion, const NodeContact& node, ContactStep& step) const;
     /// Gives the tool nodes their shares.  Formulation 9, step 11.
     void heat_tool(const Decision& decision, double heat, ContactStep& step) const;
     /// T_m: Tint, or that of the tool at the contact point [temperature].  Formulation 9, step 4.

@@ -90,7 +90,7 @@ FrictionCoefficients Inspect::friction_numbers(int i, const FrictionInput& input
 }
 
 double Inspect::friction_coefficient(int i, const FrictionInput& input) const {
-    return state_.friction ? state_.friction->coefficient(i, input) : 0.0;
+    return state_.friction ? state_.friction->state(i, input).coefficient : 0.0;
 }
 
 const HeatExchange* Inspect::heat_exchange() const {

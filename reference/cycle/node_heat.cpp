@@ -3,24 +3,26 @@
 
 namespace type21::reference {
 
-void Contact::State::heat(int i, const Motion& motion, NodeContact& out, ContactStep& step) const {
+void Contact::State::heat(int i, const Motion& motion, const NodeContact& node, ContactStep& step) const {
     if (!heat_exchange) return;
+    NodeHeat& out = step.heat[static_cast<size_t>(i)];
     HeatInput input;
-    input.distance = out.distance;
-    input.gap = out.gap;
-    input.normal_force = out.normal_force;
+    input.distance = node.distance;
+    input.gap = node.gap;
+    input.normal_force = node.normal_force;
     input.step = motion.step;
     input.blank_temperature = motion.temperature[model_node(i)];
     // Formulation 9, step 4: temperature of the tool.
-    input.tool_temperature = tool_temperature(out.decision, motion);
+    input.tool_temperature = tool_temperature(node.decision, motion);
     // Formulation 9, step 6 to step 9: zones, conduction, radiation.
     const HeatFlow flow = heat_exchange->flow(i, input);
     out.conductance = flow.conductance;
+    out.radiant_conductance = flow.radiant_conductance;
     // Formulation 9, step 10: friction heat.
     out.heat = flow.heat + out.friction_heat;
     // Formulation 9, step 11: the tool loses what the blank gets from it.
     if (heat_exchange->heats_tool())
-        heat_tool(out.decision, -flow.heat + reading.friction_heat_to_tool * out.friction_heat, step);
+        heat_tool(node.decision, -flow.heat + reading.friction_heat_to_tool * out.friction_heat, step);
 }
 
 void Contact::State::heat_tool(const Decision& decision, double heat, ContactStep& step) const {

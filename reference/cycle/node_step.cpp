@@ -1,6 +1,7 @@
 // One secondary node in one cycle, chapter by chapter. A law that is taken from `reading` has an as-built counterpart
 // in reference/as_built; without departures it is the law of the same name in reference/contact.
 #include <algorithm>
+#include <cmath>
 
 #include "reference/contact/normal_force.h"
 #include "reference/cycle/contact_state.h"
@@ -16,8 +17,8 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
     const bool time_zero = motion.time <= 0;
 
     NodeContact out;
-    out.gap = node.gap;                               // Formulation 2, step 4; Formulation 2, step 5
-    if (skid_line) out.skid = skid_line->largest(i);  // Formulation 9, step 14
+    out.gap = node.gap;                                   // Formulation 2, step 4; Formulation 2, step 5
+    if (skid_line) step.skid[n] = skid_line->largest(i);  // Formulation 9, step 14
     const auto leave = [&] {
         if (!time_zero) forget(i);
         return out;
@@ -59,7 +60,7 @@ NodeContact Contact::State::node_step(int i, const Motion& motion, ContactStep& 
 
     // Chapters 7 and 8: forces. The node gets the normal force, and the opposite of what friction does to the tool.
     normal_force(i, motion, out);
-    friction_force(i, motion, acts, out);
+    friction_force(i, motion, acts, out, step);
     out.force = out.normal_force * out.normal - out.friction;
 
     // Chapter 9: release of boundary conditions (Formulation 9, step 13) and heat.
@@ -119,21 +120,43 @@ PmaxLimit Contact::State::pmax_limit(int i) const {
     return {std::max(nodes[n].gap - side.gap[n], 0.0), side.area[n] * card().pmax};
 }
 
-void Contact::State::friction_force(int i, const Motion& motion, bool acts, NodeContact& out) {
+void Contact::State::friction_force(int i, const Motion& motion, bool acts, NodeContact& out, ContactStep& step) {
     if (acts) out.status = Status::slip;
     if (!friction) return;
     const FrictionInput input = friction_input(i, motion, out, acts);
-    // Formulation 8, step 1 to step 11: coefficient, filter, trial force, return, memory.
-    const FrictionForce tangential = friction->act(i, input);
+    // Formulation 8, step 1 to step 7: coefficient.
+    const FrictionState state = friction->state(i, input);
+    note_friction(i, input, state, step);
+    // Formulation 8, step 8 to step 11: filter, trial force, return, memory.
+    const FrictionForce tangential = friction->act(i, input, state.coefficient);
     out.friction = tangential.force;
     out.status = tangential.slips ? Status::slip : Status::stick;
     // Formulation 8, step 12: slip energy. Formulation 9, step 10: the share of it that becomes heat.
-    if (heat_exchange) out.friction_heat = card().fheat * slip_energy(tangential, input.stiffness);
+    const auto n = static_cast<size_t>(i);
+    if (heat_exchange) step.heat[n].friction_heat = card().fheat * slip_energy(tangential, input.stiffness);
     // Formulation 9, step 14: skid line.
     if (skid_line) {
-        const double area = card().secondary.area[static_cast<size_t>(i)];
-        out.skid = skid_line->record(i, skid_ratio(tangential.slips, out.friction.norm(), card().pskid, area));
+        const double area = card().secondary.area[n];
+        step.skid[n] = skid_line->record(i, skid_ratio(tangential.slips, out.friction.norm(), card().pskid, area));
     }
+}
+
+void Contact::State::note_friction(int i, const FrictionInput& input, const FrictionState& state,
+                                   ContactStep& step) const {
+    // Formulation 8, step 3: fct_IDF below zero.
+    const double scaled = card().fric * input.temperature_factor;
+    if (has(Effect::friction_heat_factor) && scaled < 0) {
+        FrictionBelowZero& below = step.friction_below_zero;
+        if (++below.count == 1) below = {1, static_cast<int>(model_node(i)), input.abscissa, scaled};
+    }
+    // Formulation 8, step 7: a law that leaves the numbers of a double.
+    if (std::isfinite(state.coefficient) || !std::isfinite(state.pressure) || !std::isfinite(state.speed)) return;
+    FrictionOverflow& overflow = step.friction_overflow;
+    if (++overflow.count > 1) return;
+    const FrictionCoefficients numbers = friction_coefficients(*model, card(), friction->part(i), input.part_main);
+    const size_t rank = overflowing_coefficient(card().ifric, numbers, state.speed);
+    overflow = {
+        1, static_cast<int>(model_node(i)), static_cast<int>(rank), numbers.c.at(rank), state.speed, state.pressure};
 }
 
 FrictionInput Contact::State::friction_input(int i, const Motion& motion, const NodeContact& node, bool acts) const {
@@ -151,7 +174,8 @@ FrictionInput Contact::State::friction_input(int i, const Motion& motion, const 
         const Function& function = model->functions[static_cast<size_t>(card().function_friction)];
         const double blank = motion.temperature[model_node(i)];
         const double tool = tool_temperature(node.decision, motion);
-        input.temperature_factor = function(reading.friction_temperature(card(), blank, tool));
+        input.abscissa = reading.friction_temperature(card(), blank, tool);
+        input.temperature_factor = function(input.abscissa);
     }
     return input;
 }

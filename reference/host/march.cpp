@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/host/effect_checks.h"
 #include "reference/host/energy_watch.h"
 #include "reference/host/finite_check.h"
 #include "reference/host/integrate.h"
@@ -88,8 +89,8 @@ void heat_nodes(const Model& model, const std::vector<ContactStep>& steps, const
     }
     for (size_t i = 0; i < steps.size(); ++i) {
         const auto& nodes = model.interfaces[i].secondary.node;
-        for (size_t n = 0; n < steps[i].nodes.size(); ++n) {
-            if (steps[i].nodes[n].heat != 0) give(nodes[n], steps[i].nodes[n].heat);
+        for (size_t n = 0; n < steps[i].heat.size(); ++n) {
+            if (steps[i].heat[n].heat != 0) give(nodes[n], steps[i].heat[n].heat);
         }
         for (const ToolHeat& heat : steps[i].tool_heat)
             give(heat.node, heat.heat);
@@ -182,6 +183,8 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
     TimeStep time_step(scene);
     StepReport step_report(model, state, options);
     EnergyWatch energy(model, state);
+    const bool absolute = absolute_temperatures(model);
+    FrictionReport friction_report(model, state, options);
     std::vector<InterfaceTotals> totals(contacts.size());
 
     if (options.thickness != nullptr) {
@@ -190,7 +193,9 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
     }
 
     // All that one cycle leaves to the next: what is added to the march is added here, too.
-    const auto remembered = [&](auto& archive) { archive(state, time_step, totals, step_report, energy); };
+    const auto remembered = [&](auto& archive) {
+        archive(state, time_step, totals, step_report, energy, friction_report);
+    };
     const std::function<void(StateWriter&)> save = [&](StateWriter& out) {
         remembered(out);
         for (const auto& contact : contacts)
@@ -215,10 +220,13 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         const Motion motion = state.motion(reading);
         for (size_t i = 0; i < contacts.size(); ++i)
             contacts[i]->step_into(motion, steps[i]);
+        check_friction(model, state, steps);
         check_finite(model, state, steps);
+        check_temperatures(model, state, absolute);
         const double step = time_step.next(state, steps);
         check_step(model, state, step);
         step_report.note(steps, time_step.limits(), step);
+        friction_report.note(steps);
 
         const double weight = reading.impulse_weight({state.step, 0.5 * (state.step + step), state.weight_before});
         for (size_t i = 0; i < totals.size(); ++i)
@@ -256,7 +264,9 @@ void march(const HostScene& scene, const MakeContact& make_contact, const Observ
         energy.add(state, next, forces, steps);
         std::swap(state, next);
     }
-    if (state.cycle > 0) check_finite(model, state, std::vector<ContactStep>{});
+    if (state.cycle == 0) return;
+    check_finite(model, state, std::vector<ContactStep>{});
+    check_temperatures(model, state, absolute);
 }
 
 }  // namespace type21

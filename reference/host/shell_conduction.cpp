@@ -1,6 +1,7 @@
 #include "reference/host/shell_conduction.h"
 
 #include <array>
+#include <cmath>
 
 namespace type21 {
 
@@ -35,33 +36,66 @@ Gradients gradients(const Shell& shell, const std::vector<Vec3>& position) {
     return g;
 }
 
-}  // namespace
+/// A thermal shell in this cycle.
+struct ThermalShell {
+    const Shell& shell;
+    Gradients gradients;
+    double strength = 0;  ///< k t A [power length^2 / temperature]
+};
 
-std::vector<double> shell_conduction(const Model& model, const HostState& state, double step) {
-    std::vector<double> heat;
-    if (state.temperature.empty() || model.nodal_heat_capacity.empty()) return heat;
-    heat.assign(state.temperature.size(), 0.0);
+/// Calls use(thermal shell) for each.
+template <class Use>
+void each_thermal_shell(const Model& model, const HostState& state, Use&& use) {
     for (size_t s = 0; s < model.shells.size(); ++s) {
         const Shell& shell = model.shells[s];
         const Material& material =
             model.materials[static_cast<size_t>(model.parts[static_cast<size_t>(shell.part)].material)];
         if (!material.heat) continue;
-        const Gradients g = gradients(shell, state.position);
+        double mean = 0;
+        for (size_t j = 0; j < static_cast<size_t>(shell.corners()); ++j)
+            mean += state.temperature[static_cast<size_t>(shell.node[j])] / static_cast<double>(shell.corners());
+        const double conductivity = material.heat->conductivity_a + material.heat->conductivity_b * mean;
+        const double thickness = state.thickness.empty() ? shell.thickness : state.thickness[s];
+        ThermalShell thermal{shell, gradients(shell, state.position), 0};
+        thermal.strength = conductivity * thickness * thermal.gradients.area;
+        use(thermal);
+    }
+}
+
+bool has_heat(const Model& model, const HostState& state) {
+    return !state.temperature.empty() && !model.nodal_heat_capacity.empty();
+}
+
+}  // namespace
+
+std::vector<double> shell_conduction(const Model& model, const HostState& state, double step) {
+    std::vector<double> heat;
+    if (!has_heat(model, state)) return heat;
+    heat.assign(state.temperature.size(), 0.0);
+    each_thermal_shell(model, state, [&](const ThermalShell& thermal) {
+        const auto& [shell, g, strength] = thermal;
         const auto corners = static_cast<size_t>(shell.corners());
         Vec3 slope = Vec3::Zero();
-        double mean = 0;
-        for (size_t j = 0; j < corners; ++j) {
-            const double temperature = state.temperature[static_cast<size_t>(shell.node[j])];
-            slope += g.b[j] * temperature;
-            mean += temperature / static_cast<double>(corners);
-        }
-        const double thickness = state.thickness.empty() ? shell.thickness : state.thickness[s];
-        const double conductivity = material.heat->conductivity_a + material.heat->conductivity_b * mean;
-        for (size_t j = 0; j < corners; ++j) {
-            heat[static_cast<size_t>(shell.node[j])] -= conductivity * thickness * g.area * g.b[j].dot(slope) * step;
-        }
-    }
+        for (size_t j = 0; j < corners; ++j)
+            slope += g.b[j] * state.temperature[static_cast<size_t>(shell.node[j])];
+        for (size_t j = 0; j < corners; ++j)
+            heat[static_cast<size_t>(shell.node[j])] -= strength * g.b[j].dot(slope) * step;
+    });
     return heat;
+}
+
+std::vector<double> shell_conductance(const Model& model, const HostState& state) {
+    std::vector<double> conductance;
+    if (!has_heat(model, state)) return conductance;
+    conductance.assign(state.temperature.size(), 0.0);
+    each_thermal_shell(model, state, [&](const ThermalShell& thermal) {
+        const auto& [shell, g, strength] = thermal;
+        const auto corners = static_cast<size_t>(shell.corners());
+        for (size_t i = 0; i < corners; ++i)
+            for (size_t j = 0; j < corners; ++j)
+                conductance[static_cast<size_t>(shell.node[i])] += 0.5 * std::abs(strength * g.b[i].dot(g.b[j]));
+    });
+    return conductance;
 }
 
 }  // namespace type21

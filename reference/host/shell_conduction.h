@@ -18,4 +18,10 @@ namespace type21 {
 /// @return heat to each node [energy]; empty where no shell is thermal
 std::vector<double> shell_conduction(const Model& model, const HostState& state, double step);
 
+/// Conductance of the inside of the shells at each node, for the thermal step: half of the sum of |K_ij| over all nodes
+/// j, K_ij = k t A <B_i, B_j>. Heat flows from node to node like through conductors whose sum is at most this.
+/// Formulation 11, step 3.
+/// @return [power/temperature]; empty where no shell is thermal
+std::vector<double> shell_conductance(const Model& model, const HostState& state);
+
 }  // namespace type21

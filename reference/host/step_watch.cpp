@@ -139,7 +139,7 @@ double free_limit(const Model& model, const HostState& state, const std::vector<
 void note_excess(const Model& model, const HostState& state, const std::vector<ContactStep>& contacts,
                  const StepLimits& limits, double step, StepExcess& excess) {
     const double scale = model.engine.step_scale;
-    double limit = limits.thermal / scale;
+    double limit = limits.thermal_stable;
     // The limit over all nodes is a lower bound, and at hand.
     if (step > limits.nodal / scale) limit = std::min(limit, free_limit(model, state, contacts));
     if (!(step > limit)) return;

@@ -31,7 +31,7 @@ double damped_step(double inertia, double stiffness, double damping) {
     return stable_step(inertia, stiffness * factor * factor);
 }
 
-TimeStep::TimeStep(const HostScene& scene) : scene_(scene) {
+TimeStep::TimeStep(const HostScene& scene) : scene_(scene), thermal_(*scene.host) {
     const Model& model = *scene.host;
     for (const Interface& interface : model.interfaces) {
         reach_.push_back(reach_of(interface, interface.smallest_gap_raw, interface.largest_gap));
@@ -50,7 +50,9 @@ double TimeStep::next(const HostState& state, const std::vector<ContactStep>& co
     const EngineControl& engine = scene_.host->engine;
     limits_.nodal = engine.step_scale * nodal_limit(state, contacts);
     limits_.kinematic = kinematic_limit(state, contacts);
-    limits_.thermal = engine.step_scale * thermal_limit(contacts);
+    const ThermalLimits thermal = thermal_(state, contacts, engine.step_scale);
+    limits_.thermal = thermal.step;
+    limits_.thermal_stable = thermal.stable;
     const bool first = state.cycle == 0;
     const double largest = engine.largest_step.value_or(0.0);
     const double initial = engine.first_step.value_or(0.0);
@@ -103,23 +105,6 @@ double TimeStep::kinematic_limit(const HostState& state, const std::vector<Conta
         const Vec3 arm = tool.rotation.toRotationMatrix() * farthest_[i];
         const double speed = range.norm() + tool.angular_velocity.cross(arm).norm();
         if (speed > 0) limit = std::min(limit, 0.9 * reach_[i] / speed);
-    }
-    return limit;
-}
-
-double TimeStep::thermal_limit(const std::vector<ContactStep>& contacts) const {
-    const Model& model = *scene_.host;
-    double limit = infinite;
-    if (model.nodal_heat_capacity.empty()) return limit;
-    std::vector<double> conductance(model.nodal_heat_capacity.size(), 0.0);
-    for (size_t i = 0; i < contacts.size(); ++i) {
-        for (size_t n = 0; n < contacts[i].nodes.size(); ++n) {
-            conductance[static_cast<size_t>(model.interfaces[i].secondary.node[n])] += contacts[i].nodes[n].conductance;
-        }
-    }
-    for (size_t n = 0; n < conductance.size(); ++n) {
-        const double capacity = model.nodal_heat_capacity[n];
-        if (capacity > 0 && conductance[n] > 0) limit = std::min(limit, 2.0 * capacity / conductance[n]);
     }
     return limit;
 }

@@ -5,14 +5,16 @@
 
 #include "reference/contract/contact_step.h"
 #include "reference/host/state.h"
+#include "reference/host/thermal_limit.h"
 
 namespace type21 {
 
 /// What the limits of the step are; infinite where nothing limits.
 struct StepLimits {
-    double nodal = 0;      ///< scale * sqrt(2 m / K) over nodes and tools [time]
-    double kinematic = 0;  ///< 0.9 c / v_max over the interfaces [time]
-    double thermal = 0;    ///< scale * 2 C / conductance over the nodes of the blank [time]
+    double nodal = 0;           ///< scale * sqrt(2 m / K) over nodes and tools [time]
+    double kinematic = 0;       ///< 0.9 c / v_max over the interfaces [time]
+    double thermal = 0;         ///< of ThermalLimit [time]
+    double thermal_stable = 0;  ///< above it temperatures grow; not scaled [time]
 };
 
 /// sqrt(2 m / K) [time]; infinite without mass or stiffness.
@@ -44,9 +46,9 @@ class TimeStep {
   private:
     double nodal_limit(const HostState& state, const std::vector<ContactStep>& contacts) const;
     double kinematic_limit(const HostState& state, const std::vector<ContactStep>& contacts);
-    double thermal_limit(const std::vector<ContactStep>& contacts) const;
 
     HostScene scene_;
+    ThermalLimit thermal_;
     std::vector<double> reach_;    ///< smallest c so far, per interface [length]
     std::vector<Vec3> farthest_;   ///< main node farthest from x_G, in the tool frame, per interface [length]
     std::vector<double> inertia_;  ///< smallest principal inertia of the tool, per interface [mass length^2]

@@ -110,6 +110,16 @@ double search_gap(const Interface& it, double raw, double /*gap*/) {
     return std::max(std::min(raw, it.gapmax.value), it.largest_gap);
 }
 
+/// As documented: Kthe is a conductance, also as the scale of fct_IDK. As built: with fct_IDK it is a pure number,
+/// which no unit changes.
+/// @manual departure D38
+void kthe_without_unit(const CardValidator& validator) {
+    Interface& it = validator.interface;
+    if (it.ithe == 0 || it.fct_idk == 0 || it.kthe == 0) return;
+    const double unit = one_of_card(validator, dim::conductance);
+    if (unit != 1) take_by_rule(it.kthe, it.kthe / unit, "D38: with fct_IDK the number as written");
+}
+
 /// As documented: Kthe 0 with fct_IDK means no conduction. As built: it means 1 in the units of the card.
 /// @manual departure D36
 void kthe_of_function(const CardValidator& validator) {
@@ -146,6 +156,7 @@ CardReading card_reading(const AsBuilt& set) {
     if (set.has(D29)) reading.contact_thickness = as_built::contact_thickness;
     if (set.has(D33)) reading.search_gap = as_built::search_gap;
     if (set.has(D36)) reading.kthe_zero_means_one = true;
+    if (set.has(D41)) reading.repeated_segments_count = true;
     return reading;
 }
 
@@ -156,6 +167,7 @@ void take_as_built_values(const CardValidator& validator) {
     if (set.has(D03)) as_built::depth_of_igap_0(validator.interface);
     if (set.has(D09)) as_built::ignore_sensor(validator.interface);
     if (set.has(D20)) as_built::inacti_acts_as_0(validator);
+    if (set.has(D38)) as_built::kthe_without_unit(validator);
     if (set.has(D36)) as_built::kthe_of_function(validator);
 }
 

@@ -37,6 +37,8 @@ struct CardReading {
     /// D29.  Formulation 2, step 2.
     std::vector<double> (*contact_thickness)(const Model& model, const Surface& secondary,
                                              const std::vector<int>& nodes);
+    /// A segment that a surface holds twice counts twice: D41.  Formulation 7, step 3.
+    bool repeated_segments_count = false;
     /// D33.  Formulation 2, step 7.
     double (*search_gap)(const Interface& interface, double raw, double gap);
 
@@ -51,7 +53,7 @@ struct CardReading {
 /// The one place where the departures of the card are put in.
 CardReading card_reading(const AsBuilt& as_built);
 
-/// Puts the values in place that the public program takes for those of the card (D02, D03, D09, D20, D36), before any
+/// Puts the values in place that the public program takes for those of the card (D02, D03, D09, D20, D36, D38), before any
 /// default; each says so in its origin. Nothing changes without these departures.
 void take_as_built_values(const CardValidator& validator);
 

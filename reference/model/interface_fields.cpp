@@ -71,7 +71,7 @@ const std::vector<InterfaceField>& interface_fields() {
         {9, 1, 10, "NRadm", &I::nradm},
         {9, 11, 30, "Padm", &I::padm},
         {9, 31, 50, "Angladm", &I::angladm},
-        {10, 1, 20, "Kthe", &I::kthe},
+        {10, 1, 20, "Kthe", &I::kthe, dim::conductance},
         {10, 21, 30, "fct_IDK", &I::fct_idk},
         {10, 31, 50, "AscaleK", &I::ascalek, dim::pressure},
         {10, 51, 70, "Tint", &I::tint, dim::temperature},
@@ -93,7 +93,6 @@ Dimension dimension(const InterfaceField& field, const Interface& interface) {
     if (const size_t* rank = std::get_if<size_t>(&field.member)) return friction_dimension(interface.ifric, *rank);
     if (field.name == "Stfac") return interface.istf == 1 ? dim::stiffness : dim::none;
     if (field.name == "Xfreq") return interface.ifiltr == 3 ? dim::frequency : dim::none;
-    if (field.name == "Kthe") return interface.fct_idk == 0 ? dim::conductance : dim::none;
     return field.fixed;
 }
 

@@ -26,7 +26,7 @@ struct InterfaceField {
 /// In the order of the card.
 const std::vector<InterfaceField>& interface_fields();
 
-/// Dimension of a field; that of Stfac, Xfreq, C1..C6 and Kthe depends on Istf, Ifiltr, Ifric and fct_IDK.
+/// Dimension of a field; that of Stfac, Xfreq and C1..C6 depends on Istf, Ifiltr and Ifric.
 Dimension dimension(const InterfaceField& field, const Interface& interface);
 
 /// Calls action(Sourced<...>&) with the field's value in the interface.

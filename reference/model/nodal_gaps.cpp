@@ -21,10 +21,6 @@ bool is_void(const Model& model, const Shell& shell) {
     return material < 0 || model.materials[at(material)].law == MaterialLaw::none;
 }
 
-const std::vector<Segment>& secondary_segments(const CardValidator& validator) {
-    return validator.model.surfaces[at(validator.interface.secondary_surface)].segments;
-}
-
 std::vector<double> picked(const std::vector<double>& of_all_nodes, const std::vector<int>& nodes) {
     std::vector<double> values(nodes.size());
     std::transform(nodes.begin(), nodes.end(), values.begin(), [&](int node) { return of_all_nodes[at(node)]; });
@@ -33,9 +29,13 @@ std::vector<double> picked(const std::vector<double>& of_all_nodes, const std::v
 
 /// Unweighted mean thickness of the shells of the secondary surface, void ones too; 0 without any.
 double mean_shell_thickness(const CardValidator& validator) {
+    const Surface& surface = validator.model.surfaces[at(validator.interface.secondary_surface)];
     std::vector<double> thickness;
-    for (const Segment& segment : secondary_segments(validator))
-        if (segment.shell >= 0) thickness.push_back(validator.model.shells[at(segment.shell)].thickness);
+    for (size_t rank = 0; rank < surface.segments.size(); ++rank) {
+        const int shell = surface.segments[rank].shell;
+        if (shell >= 0 && !surface.is_repeated(static_cast<int>(rank)))
+            thickness.push_back(validator.model.shells[at(shell)].thickness);
+    }
     return mean(thickness);
 }
 

@@ -13,6 +13,7 @@
 #include "reference/model/main_normals.h"
 #include "reference/model/nodal_gaps.h"
 #include "reference/model/read_interface_card.h"
+#include "reference/model/repeated_segments.h"
 #include "reference/model/secondary_side.h"
 #include "reference/model/tool_side.h"
 
@@ -80,6 +81,7 @@ void resolve_interfaces(const Deck& deck, Model& model, Problems& problems) {
             check_interface_card(validator);
             link_interface(validator);
             apply_interface_defaults(validator);
+            note_repeated_segments(validator, model);
             build_sides(validator);
             cards.push_back({reader, model.interfaces.size()});
         }

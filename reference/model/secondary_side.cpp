@@ -46,7 +46,9 @@ std::vector<double> element_stiffness(const Model& model, const std::vector<int>
 std::vector<double> nodal_area(const Model& model, const Surface& surface, const std::vector<int>& nodes) {
     std::vector<double> area(model.nodes.id.size(), 0.0);
     const auto& x = model.nodes.position;
-    for (const Segment& segment : surface.segments) {
+    for (size_t rank = 0; rank < surface.segments.size(); ++rank) {
+        if (surface.is_repeated(static_cast<int>(rank))) continue;
+        const Segment& segment = surface.segments[rank];
         const auto& n = segment.node;
         // A triangle repeats its third node, so that the diagonals are two of its sides.
         const double whole = 0.5 * (x[at(n[2])] - x[at(n[0])]).cross(x[at(n[3])] - x[at(n[1])]).norm();

@@ -71,7 +71,7 @@ std::string known_words() {
     std::string out;
     for (const FieldHelp& help : field_help())
         out += fmt::format("{} ", help.name);
-    out += "D01 to D37";
+    out += "D01 to D44";
     for (const GlossaryEntry& entry : glossary())
         out += fmt::format(", {}", entry.term);
     return out;

@@ -28,14 +28,14 @@ std::vector<FieldHelp> field_help_heat() {
          {D36}},
         {"fct_IDK",
          "Function of the contact pressure that scales Kthe.",
-         "K = Kthe f(AscaleK |F_n| / A).",
+         "K = Kthe f(|F_n| / (A AscaleK)).",
          "manual page, comment 16, equation (15); Formulation 9, step 7",
-         {D36}},
+         {D36, D38}},
         {"AscaleK",
-         "Factor on the pressure at which fct_IDK is taken.",
-         "Used with fct_IDK.",
+         "Pressure that is 1 on the abscissa of fct_IDK.",
+         "Used with fct_IDK, which is taken at p / AscaleK. Blank: 1 in the units of the card.",
          "manual page, definitions, equation (15); Formulation 9, step 7",
-         {}},
+         {D38}},
         {"Tint",
          "Constant temperature of the tool.",
          "Used with Ithe 1 and Ithe_form 0; otherwise the nodes of the tool have temperatures of their own.",
@@ -90,9 +90,10 @@ std::vector<FieldHelp> field_help_heat() {
          {D13}},
         {"Dampr",
          "Share of the critical damping of the tool's rotation.",
-         "Torque -C W with C = 2 Dampr sqrt(I K), K the sum of k |X - x_G|^2. No effect where the rotations are fixed.",
+         "Torque -C W with C = 2 Dampr sqrt(I K): I the inertia of the tool about the axis of W (as built, D40: its "
+         "smallest principal inertia), K the sum of k |X - x_G|^2. No effect where the rotations are fixed.",
          "manual page, comment 19; Formulation 9, step 16",
-         {D13}},
+         {D13, D40}},
     };
 }
 

@@ -66,7 +66,8 @@ void add_law(const AccountInput& input, const Replay& replay, AccountSection& se
     }
     const FrictionCoefficients numbers = input.inspect.friction_numbers(input.node, replay.input);
     if (input.inspect.has(Effect::friction_heat_factor)) {
-        section.add("mu", "Fric f_IDF(AscaleF (T_s + T_m)/2)",
+        const bool d39 = input.model().as_built.has(Departure::D39);
+        section.add("mu", d39 ? "Fric f_IDF(AscaleF (T_s + T_m)/2)" : "max(0, Fric f_IDF(AscaleF (T_s + T_m)/2))",
                     fmt::format("{} x {}", digits(numbers.fric), digits(replay.input.temperature_factor)),
                     replay.coefficient, "", "manual page, equations (7), (8)");
         return;
@@ -170,7 +171,8 @@ AccountSection friction_section(const AccountInput& input, const NodeContact& no
     section.add("q", "<T - F_t, F_t>/k", "", replay.slip_energy, input.unit(dim::energy),
                 "slip energy, manual page, equation (19)");
     if (input.inspect.has(Effect::skid_line))
-        section.add("skid", "min(1, |F_t| sqrt(3)/(Pskid A)), sliding", "", node.skid, "", "Formulation 9, step 14");
+        section.add("skid", "min(1, |F_t| sqrt(3)/(Pskid A)), sliding", "",
+                    input.step.skid[static_cast<size_t>(input.node)], "", "Formulation 9, step 14");
     return section;
 }
 

@@ -30,19 +30,23 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
                 : zones.any()    ? fmt::format("> g:{}{}", zones.distance ? " conduction over the distance" : "",
                                             zones.radiation ? " radiation" : "")
                                  : "> g: no heat");
+    const double step = input.motion.step;
+    const HeatFlow flow = exchange.flow(input.node, {node.distance, node.gap, node.normal_force, step, blank, tool});
+    const NodeHeat& heat = input.step.heat[static_cast<size_t>(input.node)];
     const double conductivity = exchange.conductivity(input.node).at(blank);
     const std::string conductance = input.unit(dim::conductance);
     if (zones.conduction || zones.distance)
         section.add("k_s", "A_S + B_S T_s", "", conductivity, input.unit({1, 1, -3, -1}), "Formulation 9, step 7");
     const double pressure = zones.conduction && area > 0 ? std::abs(node.normal_force) / area : 0.0;
     if (zones.conduction) {
-        section.add("K", card.function_conduction < 0 ? "Kthe" : "Kthe f_K(AscaleK |F_n|/A)", "",
-                    exchange.exchange(pressure), conductance,
+        const bool d38 = input.model().as_built.has(Departure::D38);
+        const char* const scale = d38 ? "Kthe f_K(AscaleK |F_n|/A)" : "Kthe f_K(|F_n|/(A AscaleK))";
+        section.add("K", card.function_conduction < 0 ? "Kthe" : scale, "", exchange.exchange(pressure), conductance,
                     card.function_conduction < 0 ? "manual page, equation (14)" : "manual page, equation (15)");
         section.add("A/(d/k_s + 1/K)", "",
                     fmt::format("{}/({}/{} + 1/{})", digits(area), digits(d), digits(conductivity),
                                 digits(exchange.exchange(pressure))),
-                    node.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (14)");
+                    flow.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (14)");
     } else if (zones.distance) {
         const Function& f = input.model().functions[static_cast<size_t>(card.function_distance)];
         const double share = (d - node.gap) / (card.dcond - node.gap);
@@ -51,10 +55,8 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
         section.add("A/(g/k_s + 1/(K f))", "",
                     fmt::format("{}/({}/{} + 1/({} x {}))", digits(area), digits(node.gap), digits(conductivity),
                                 digits(exchange.exchange(0.0)), digits(f(share))),
-                    node.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (20)");
+                    flow.conductance, input.unit({1, 2, -3, -1}), "manual page, equation (20)");
     }
-    const double step = input.motion.step;
-    const HeatFlow flow = exchange.flow(input.node, {node.distance, node.gap, node.normal_force, step, blank, tool});
     if (zones.radiation)
         section.add("radiated", "Frad A (T_m^4 - T_s^4) dt",
                     fmt::format("{} x {} x ({}^4 - {}^4) x {}", digits(card.frad), digits(area), digits(tool),
@@ -67,8 +69,8 @@ AccountSection heat_section(const AccountInput& input, const NodeContact& node) 
             flow.conductance * (tool - blank) * step, energy,
             zones.conduction ? "manual page, equation (14)" : "manual page, equation (20)");
     section.add("Phi", "from the tool in this cycle", "", flow.heat, energy, "Formulation 9, step 12");
-    section.add("Fheat q", "friction heat", "", node.friction_heat, energy, "manual page, equation (19)");
-    section.add("to node", "Phi + Fheat q", "", node.heat, energy, "Formulation 9, step 12");
+    section.add("Fheat q", "friction heat", "", heat.friction_heat, energy, "manual page, equation (19)");
+    section.add("to node", "Phi + Fheat q", "", heat.heat, energy, "Formulation 9, step 12");
     return section;
 }
 

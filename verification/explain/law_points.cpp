@@ -51,10 +51,9 @@ void add_limited(const NodeContact& node, double area, double pmax, PressureLimi
 }
 
 /// `pmax` is 0 without a limit.
-void add_node(const NodeContact& node, double area, bool rubs, double pmax, InterfaceLaws& laws) {
+void add_node(const NodeContact& node, double conductance, double area, bool rubs, double pmax, InterfaceLaws& laws) {
     if (!(area > 0)) return;
-    if (node.conductance > 0 && laws.heat.size() < most_raw)
-        laws.heat.push_back({node.distance, node.conductance / area});
+    if (conductance > 0 && laws.heat.size() < most_raw) laws.heat.push_back({node.distance, conductance / area});
     if (node.status == Status::open) return;
     if (pmax > 0) {
         add_limited(node, area, pmax, laws.limit);
@@ -113,9 +112,10 @@ std::vector<InterfaceLaws> law_points(const HostScene& scene, const MakeContact&
     }
     const auto observe = [&](const CycleRecord& cycle) {
         for (size_t i = 0; i < all.size(); ++i) {
-            const std::vector<NodeContact>& nodes = (*cycle.contacts)[i].nodes;
-            for (size_t n = 0; n < nodes.size(); ++n)
-                add_node(nodes[n], model.interfaces[i].secondary.area[n], rubs[i], pmax[i], all[i]);
+            const ContactStep& step = (*cycle.contacts)[i];
+            for (size_t n = 0; n < step.nodes.size(); ++n)
+                add_node(step.nodes[n], step.heat.empty() ? 0.0 : step.heat[n].conductance,
+                         model.interfaces[i].secondary.area[n], rubs[i], pmax[i], all[i]);
         }
     };
     try {

@@ -132,7 +132,7 @@ Case read_case(const fs::path& folder, std::vector<std::string>& problems) {
         if (!is_cover(cover))
             top.complain(
                 top.line("covers"),
-                fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D37'", cover));
+                fmt::format("'{}' must be 'eq 1..20', 'field NAME', 'comment 1..24' or 'departure D01..D44'", cover));
     a_case.family = top.text_or("family", "");
     if (!a_case.family.empty() &&
         std::find(case_families().begin(), case_families().end(), a_case.family) == case_families().end())

@@ -10,14 +10,14 @@ namespace {
 /// Heat is a rate times differences of temperatures (or of their fourth powers), and a share of the friction's work,
 /// which is the small difference of a trial force and the force that the law admits:
 ///   |Q| + conductance dt 2 T + Frad A dt 2 T^4 + Fheat |F_t| (scale of force) / k, T the highest temperature.
-double heat_scale(const Interface& card, size_t i, const NodeContact& node, const Motion& motion, double force,
-                  double stiffness) {
+double heat_scale(const Interface& card, size_t i, const NodeContact& node, const NodeHeat& heat, const Motion& motion,
+                  double force, double stiffness) {
     if (card.ithe == 0 || motion.temperature.empty()) return 0;
     double hottest = std::abs(card.tint);
     for (const double t : motion.temperature)
         hottest = std::max(hottest, std::abs(t));
     const double area = card.secondary.area[i];
-    double scale = std::abs(node.heat) + std::abs(node.friction_heat) + node.conductance * motion.step * 2 * hottest +
+    double scale = std::abs(heat.heat) + std::abs(heat.friction_heat) + heat.conductance * motion.step * 2 * hottest +
                    card.frad * area * motion.step * 2 * std::pow(hottest, 4);
     if (stiffness > 0) scale += card.fheat * node.friction.norm() * force / stiffness;
     return scale;
@@ -25,7 +25,8 @@ double heat_scale(const Interface& card, size_t i, const NodeContact& node, cons
 
 }  // namespace
 
-NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, const Motion& motion, bool d12) {
+NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, const NodeHeat& heat,
+                     const Motion& motion, bool d12) {
     const auto n = static_cast<size_t>(card.secondary.node[i]);
     const ToolMotion& pose = motion.tools[static_cast<size_t>(card.tool)];
     const Vec3 y = pose.rotation.transpose() * (motion.position[n] - pose.position);
@@ -42,7 +43,7 @@ NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, c
     // D12: the direction is the small difference of two points, divided by its length.
     if (d12 && node.distance != 0)
         scale.force += (node.force.norm() + std::abs(node.normal_force)) * scale.length / std::abs(node.distance);
-    scale.heat = heat_scale(card, i, node, motion, scale.force, node.stiffness);
+    scale.heat = heat_scale(card, i, node, heat, motion, scale.force, node.stiffness);
     return scale;
 }
 

@@ -21,7 +21,9 @@ struct NodeScale {
 
 /// @param i     rank of the secondary node
 /// @param node  the result of the reference for it
+/// @param heat  likewise; zero where the interface exchanges none
 /// @param d12   departure D12 is on
-NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, const Motion& motion, bool d12);
+NodeScale node_scale(const Interface& card, size_t i, const NodeContact& node, const NodeHeat& heat,
+                     const Motion& motion, bool d12);
 
 }  // namespace type21

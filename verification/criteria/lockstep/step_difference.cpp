@@ -59,7 +59,8 @@ struct StepDifference::Scales {
 
 void StepDifference::add(const ContactStep& reference, const ContactStep& other, const Motion& motion, long cycle) {
     place_ = {cycle, motion.time, card_.id, 0};
-    if (reference.active != other.active || reference.nodes.size() != other.nodes.size()) {
+    if (reference.active != other.active || reference.nodes.size() != other.nodes.size() ||
+        reference.heat.size() != other.heat.size() || reference.skid.size() != other.skid.size()) {
         decision_differs(fmt::format("the interface is {}; the reference: {}", other.active ? "active" : "inactive",
                                      reference.active ? "active" : "inactive"));
         ++result_.different;
@@ -69,7 +70,7 @@ void StepDifference::add(const ContactStep& reference, const ContactStep& other,
     ++result_.cycles;
     Scales scale;
     for (size_t i = 0; i < reference.nodes.size(); ++i)
-        node(i, reference.nodes[i], other.nodes[i], motion, scale);
+        node(i, reference, other, motion, scale);
     place_.node = 0;
     scale.work *= motion.step;
     // The velocities are given: the rounding is that of the product and, in C and in the moment, of the arms.
@@ -80,10 +81,14 @@ void StepDifference::add(const ContactStep& reference, const ContactStep& other,
     lists(reference, other);
 }
 
-void StepDifference::node(size_t i, const NodeContact& reference, const NodeContact& other, const Motion& motion,
-                          Scales& sum) {
+void StepDifference::node(size_t i, const ContactStep& reference_step, const ContactStep& other_step,
+                          const Motion& motion, Scales& sum) {
+    const NodeContact &reference = reference_step.nodes[i], &other = other_step.nodes[i];
+    const bool heated = !reference_step.heat.empty();
+    const NodeHeat flow = heated ? reference_step.heat[i] : NodeHeat{};
+    const double heat_apart = heated ? std::abs(flow.heat - other_step.heat[i].heat) : 0.0;
     place_.node = model_.nodes.id[static_cast<size_t>(card_.secondary.node[i])];
-    NodeScale scale = node_scale(card_, i, reference, motion, model_.as_built.has(Departure::D12));
+    NodeScale scale = node_scale(card_, i, reference, flow, motion, model_.as_built.has(Departure::D12));
     // A direction that was noise (D12) stays in the friction for as long as the node is in contact.
     if (noise_.empty()) noise_.resize(static_cast<size_t>(card_.secondary.size()), 0.0);
     noise_[i] = reference.status == Status::open ? 0.0 : std::max(noise_[i], scale.force);
@@ -104,10 +109,10 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
     sum.energy += scale.force * (reference.penetration + rounding) + std::abs(reference.elastic_energy);
     sum.heat += scale.heat;
     // The cycle in which a node begins to slide depends on the last bit if the trial force just reaches the limit.
-    if (card_.pskid > 0 && reference.status == Status::slip && other.status == Status::slip)
-        skid(i, reference.skid - other.skid, scale.force);
+    if (!reference_step.skid.empty() && reference.status == Status::slip && other.status == Status::slip)
+        skid(i, reference_step.skid[i] - other_step.skid[i], scale.force);
     if (reference.status == Status::open && other.status == Status::open) {
-        if (reference.heat != 0 || other.heat != 0) tally(heat, std::abs(reference.heat - other.heat), scale.heat);
+        if (flow.heat != 0 || heat_apart != 0) tally(heat, heat_apart, scale.heat);
         return;
     }
     ++result_.in_contact;
@@ -127,7 +132,7 @@ void StepDifference::node(size_t i, const NodeContact& reference, const NodeCont
           std::max(std::abs(reference.stiffness - other.stiffness),
                    std::abs(reference.step_stiffness - other.step_stiffness)),
           scale.stiffness);
-    if (card_.ithe != 0) tally(heat, std::abs(reference.heat - other.heat), scale.heat);
+    if (heated) tally(heat, heat_apart, scale.heat);
 }
 
 /// Compares a ratio of the skid line as the friction force that caused it, which may have acted long ago.

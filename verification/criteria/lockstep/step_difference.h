@@ -15,7 +15,8 @@ class StepDifference {
 
   private:
     struct Scales;
-    void node(size_t i, const NodeContact& reference, const NodeContact& other, const Motion& motion, Scales& sum);
+    void node(size_t i, const ContactStep& reference_step, const ContactStep& other_step, const Motion& motion,
+              Scales& sum);
     void skid(size_t i, double apart, double force_scale);
     void sums(const ContactStep& reference, const ContactStep& other, const Scales& scale);
     void lists(const ContactStep& reference, const ContactStep& other);

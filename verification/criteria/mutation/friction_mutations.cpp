@@ -34,10 +34,10 @@ BreakContact coefficients(std::function<void(FrictionCoefficients&)> change) {
 /// Loses the envelope: only a cycle that raises it reports a value.
 BreakStep forget_envelope(const Scene&, int) {
     return [before = std::vector<double>()](ContactStep& step, const Motion&) mutable {
-        before.resize(step.nodes.size(), 0.0);
-        for (size_t i = 0; i < step.nodes.size(); ++i) {
-            const double envelope = step.nodes[i].skid;
-            if (!(envelope > before[i])) step.nodes[i].skid = 0;
+        before.resize(step.skid.size(), 0.0);
+        for (size_t i = 0; i < step.skid.size(); ++i) {
+            const double envelope = step.skid[i];
+            if (!(envelope > before[i])) step.skid[i] = 0;
             before[i] = envelope;
         }
     };

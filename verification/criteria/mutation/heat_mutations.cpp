@@ -16,7 +16,7 @@ std::vector<Mutation> heat_mutations() {
          has_effect(heat),
          broken_step([](const Scene&, int) {
              return [](ContactStep& step, const Motion&) {
-                 for (NodeContact& node : step.nodes)
+                 for (NodeHeat& node : step.heat)
                      node.heat = node.friction_heat = 0;
                  step.tool_heat.clear();
                  step.sums.heat_to_blank = step.sums.heat_to_tool = step.sums.friction_heat = 0;
@@ -29,7 +29,7 @@ std::vector<Mutation> heat_mutations() {
          has_effect(heat),
          broken_step([](const Scene&, int) {
              return [](ContactStep& step, const Motion&) {
-                 for (NodeContact& node : step.nodes)
+                 for (NodeHeat& node : step.heat)
                      node.heat *= 0.5;
                  for (ToolHeat& heat : step.tool_heat)
                      heat.heat *= 0.5;
@@ -105,7 +105,7 @@ std::vector<Mutation> heat_mutations() {
          such([](const Interface& c) { return c.kthe > 0; }),
          broken_step([](const Scene&, int) {
              return [](ContactStep& step, const Motion&) {
-                 for (NodeContact& node : step.nodes)
+                 for (NodeHeat& node : step.heat)
                      node.conductance = 0;
              };
          }),

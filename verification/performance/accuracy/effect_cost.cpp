@@ -51,8 +51,8 @@ void step(Stepped& one, int cycle, bool lean) {
         const ContactStep done = one.contact->step(motion);
         sums = done.sums;
         tool = done.tool.damping;
-        for (const NodeContact& node : done.nodes)
-            tool += node.skid;
+        for (const double ratio_so_far : done.skid)
+            tool += ratio_so_far;
     }
     const double ns = watch.nanoseconds() / nodes;
     if (cycle >= warm_up) one.ns.push_back(ns);

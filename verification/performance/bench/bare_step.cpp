@@ -63,9 +63,11 @@ std::vector<Decision> BareStep::decisions() const {
 void BareStep::at_time_zero(const optimized::Cycle& cycle) {
     const int count = static_cast<int>(nodes_.node.size());
     optimized::ChunkLists lists;
+    optimized::Output output;
+    output.force = force_.data();
+    output.step_stiffness = step_stiffness_.data();
     work_->sums.clear();
-    optimized::kernel_for(laws_->effects())(*laws_, cycle, nodes_, 0, count,
-                                            {nullptr, force_.data(), step_stiffness_.data()}, lists, *work_);
+    optimized::kernel_for(laws_->effects())(*laws_, cycle, nodes_, 0, count, output, lists, *work_);
     tool_force_ = work_->sums.vector(Term::force_x);
 }
 

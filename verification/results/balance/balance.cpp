@@ -77,8 +77,8 @@ void BalanceObserver::observe_heat(const CycleRecord& record) {
     };
     for (size_t i = 0; i < balance_.size(); ++i) {
         const ContactStep& step = (*record.contacts)[i];
-        for (size_t n = 0; n < step.nodes.size(); ++n)
-            give(model_.interfaces[i].secondary.node[n], step.nodes[n].heat);
+        for (size_t n = 0; n < step.heat.size(); ++n)
+            give(model_.interfaces[i].secondary.node[n], step.heat[n].heat);
         for (const ToolHeat& heat : step.tool_heat)
             give(heat.node, heat.heat);
     }

@@ -23,8 +23,7 @@ EffectFiles::EffectFiles(const HostScene& scene, int interface, const std::files
 void EffectFiles::observe(const CycleRecord& record) {
     const ContactStep& step = (*record.contacts)[static_cast<size_t>(interface_)];
     if (skid_) {
-        for (size_t n = 0; n < step.nodes.size(); ++n)
-            largest_skid_[n] = step.nodes[n].skid;
+        if (!step.skid.empty()) largest_skid_ = step.skid;
         if (record.last) write_skid_line(record.time);
     }
     if (adaptive_) write_adaptive(record, step);

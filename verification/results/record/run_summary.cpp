@@ -26,12 +26,13 @@ Json balance_json(const InterfaceBalance& balance) {
             {"cycles_in_contact", balance.cycles_in_contact}};
 }
 
-/// Bytes of state and constants that each effect holds per secondary node; an effect that is absent holds none.
-Json memory_json(const std::vector<std::vector<EffectMemory>>& memory, size_t interface) {
+/// Bytes that each effect takes per secondary node, of what it holds (bytes_per_node) or of its report in each cycle
+/// (report_bytes_per_node); an effect that is absent takes none.
+Json memory_json(const std::vector<std::vector<EffectMemory>>& memory, size_t interface, size_t EffectMemory::*bytes) {
     Json json = Json::object();
     if (interface >= memory.size()) return json;
     for (const EffectMemory& one : memory[interface])
-        json[std::string(name(one.effect))] = one.bytes_per_node;
+        if (one.*bytes > 0) json[std::string(name(one.effect))] = one.*bytes;
     return json;
 }
 
@@ -125,14 +126,16 @@ Json to_json(const RunSummary& summary, const HostScene& scene, const std::vecto
         Json final_values;
         for (const InterfaceColumn& column : interface_columns())
             final_values[column.name] = column.value(summary.totals[i]);
-        results.push_back({{"interface", model.interfaces[i].id},
-                           {"final", final_values},
-                           {"state_bytes_per_node", memory_json(summary.memory, i)},
-                           {"decisions", to_json(summary.stage_counts.at(i))},
-                           {"heat_to_blank", summary.totals[i].heat_to_blank},
-                           {"heat_to_tool", summary.totals[i].heat_to_tool},
-                           {"contact", contact_json(summary.contact.at(i), model)},
-                           {"balance", balance_json(summary.balance.at(i))}});
+        results.push_back(
+            {{"interface", model.interfaces[i].id},
+             {"final", final_values},
+             {"state_bytes_per_node", memory_json(summary.memory, i, &EffectMemory::bytes_per_node)},
+             {"report_bytes_per_node", memory_json(summary.memory, i, &EffectMemory::report_bytes_per_node)},
+             {"decisions", to_json(summary.stage_counts.at(i))},
+             {"heat_to_blank", summary.totals[i].heat_to_blank},
+             {"heat_to_tool", summary.totals[i].heat_to_tool},
+             {"contact", contact_json(summary.contact.at(i), model)},
+             {"balance", balance_json(summary.balance.at(i))}});
         if (summary.sorted_search.at(i))
             results.back()["sorted_search"] = sorted_json(*summary.sorted_search[i], model.interfaces[i]);
     }

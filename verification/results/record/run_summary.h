@@ -37,7 +37,7 @@ struct RunSummary {
     std::vector<InterfaceTotals> totals;  ///< of the last cycle, per interface
     std::vector<InterfaceBalance> balance;
     std::vector<ContactCount> contact;
-    std::vector<std::vector<EffectMemory>> memory;  ///< bytes that each effect of an interface holds per node
+    std::vector<std::vector<EffectMemory>> memory;  ///< bytes that each effect of an interface takes per node
     std::vector<DecisionStageCounts> stage_counts;  ///< how many decisions of each interface each stage settled
 
     /// Of the optimized contact with the sorted search; empty otherwise.

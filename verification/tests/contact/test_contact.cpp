@@ -224,6 +224,28 @@ TEST(Contact, DamprBrakesTheTurnAboutEachAxis) {
     }
 }
 
+// I_0 = diag(4, 9, 25) turned by 90 degrees about z: about the global axes x, y, z it is 9, 4, 25; about (0, 0.6, 0.8)
+// it is 4 * 0.36 + 25 * 0.64 = 17.44. As built it is 4 for every axis. No spin, no moment.
+// @manual field Dampr; comment 19; departure D40
+TEST(Contact, DamprUsesTheInertiaAboutTheAxisOfTheTurn) {
+    const std::vector<std::pair<Vec3, double>> axes{
+        {{1, 0, 0}, 9}, {{0, 1, 0}, 4}, {{0, 0, 1}, 25}, {{0, 0.6, 0.8}, 17.44}, {{0, 0, 0}, 1}};
+    for (const auto& [axis, inertia] : axes) {
+        for (const bool d40 : {false, true}) {
+            SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
+            small.card().dampr.value = 0.1;
+            small.model().rigid_bodies[0].inertia = Vec3(4, 9, 25).asDiagonal();
+            small.model().as_built.set(Departure::D40, d40);
+            Hand hand(small);
+            hand.tools[0].rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+            hand.tools[0].angular_velocity = 3 * axis;
+            const double arm = 2 * 1000 * (0.04 + 0.01);  // k |X - x_G|^2 of both nodes
+            const Vec3 expected = -3 * 2 * 0.1 * std::sqrt((d40 ? 4.0 : inertia) * arm) * axis;
+            EXPECT_NEAR((hand.step(0, 0).tool.damping_moment - expected).norm(), 0, 1e-9) << axis.transpose() << d40;
+        }
+    }
+}
+
 // @manual field Stfac; comment 6, 11
 TEST(Contact, StfacAboveOneScalesTheForce) {
     SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "reference/as_built/d06_d07_d28_filter.h"
-#include "reference/as_built/d10_exponential_law.h"
+#include "reference/as_built/d10_d39_d43_friction_law.h"
+#include "reference/as_built/d42_node_parts.h"
 #include "reference/contact/friction_filter.h"
 #include "reference/contact/friction_increment.h"
 #include "reference/contact/friction_law.h"
+#include "reference/contact/node_parts.h"
 #include "reference/contact/skid_line.h"
 #include "reference/model/model.h"
 
@@ -51,8 +53,71 @@ TEST(FrictionLaw, ExponentialDecaysFromFricToC1) {
     EXPECT_DOUBLE_EQ(friction_coefficient(4, f, 0, 0), 0.3);
     EXPECT_NEAR(friction_coefficient(4, f, 0, 100), 0.1 + 0.2 * std::exp(-1.0), 1e-15);
     // D10: 2 C1 - Fric at rest, here below the floor.
-    EXPECT_EQ(as_built::friction_coefficient(4, f, 0, 0), 1e-30);
-    EXPECT_NEAR(as_built::friction_coefficient(4, f, 0, 100), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
+    const as_built::FrictionLawDepartures d10{true, false, false};
+    EXPECT_EQ(as_built::friction_coefficient(d10, 4, f, 0, 0), 1e-30);
+    EXPECT_NEAR(as_built::friction_coefficient(d10, 4, f, 0, 100), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
+    EXPECT_NEAR(as_built::friction_coefficient({true, false, true}, 4, f, 0, 100), 0.1 - 0.2 * std::exp(-1.0), 1e-15);
+}
+
+// C1 = 0 beside e^(C2 s) beyond double: the term is 0. D43: 0 times infinite is no number, and mu the smallest.
+// @manual eq 10, 11; field Ifric, C1, C2; comment 13; departure D43
+TEST(FrictionLaw, ATermWithCoefficientZeroIsZero) {
+    const as_built::FrictionLawDepartures d43{false, false, true};
+    const FrictionCoefficients law_2{0.1, {0, 1, 0, 2, 0, 3}};
+    EXPECT_EQ(friction_coefficient(2, law_2, 10, 1e4), 0.1);
+    EXPECT_EQ(as_built::friction_coefficient(d43, 2, law_2, 10, 1e4), 1e-30);
+    EXPECT_EQ(as_built::friction_coefficient(d43, 2, law_2, 10, 10), 0.1) << "no overflow, no difference";
+    EXPECT_EQ(friction_coefficient(2, {0.1, {0.2, 1, 0.3, 1, 0, 0}}, 0, 1e4), 0.1) << "the pressure is 0";
+    const FrictionCoefficients law_4{0.1, {0.1, -1, 0, 0, 0, 0}};
+    EXPECT_EQ(friction_coefficient(4, law_4, 10, 1e4), 0.1) << "Fric = C1";
+    EXPECT_EQ(as_built::friction_coefficient(d43, 4, law_4, 10, 1e4), 1e-30);
+    EXPECT_EQ(friction_coefficient(1, {0.1, {}}, 10, 1e200), 0.1);
+}
+
+// What really overflows is not finite, whatever its sign, and the number that does it is named.
+// @manual eq 10, 11; field C2, C4, C6; comment 13
+TEST(FrictionLaw, AnOverflowIsNotAFloor) {
+    const FrictionCoefficients both{0.1, {0.2, 1, 0.3, 1, 0.4, 5}};
+    EXPECT_FALSE(std::isfinite(friction_coefficient(2, both, 10, 1e4)));
+    EXPECT_EQ(overflowing_coefficient(2, both, 1e4), 1U);
+    EXPECT_EQ(overflowing_coefficient(2, {0.1, {0.2, -1, 0.3, 1, 0, 0}}, 1e4), 3U);
+    EXPECT_FALSE(std::isfinite(friction_coefficient(2, {0.1, {-0.2, 1, 0, 0, 0, 0}}, 10, 1e4))) << "not 1e-30";
+    EXPECT_FALSE(std::isfinite(friction_coefficient(4, {0.1, {0.2, -1, 0, 0, 0, 0}}, 0, 1e4)));
+    EXPECT_EQ(overflowing_coefficient(4, {0.1, {0.2, -1, 0, 0, 0, 0}}, 1e4), 1U);
+    EXPECT_FALSE(std::isfinite(friction_coefficient(1, {0.1, {0, 0, 0, 0, 1e-3, 0}}, 0, 1e200)));
+    EXPECT_EQ(overflowing_coefficient(1, {0.1, {0, 0, 0, 0, 1e-3, 0}}, 1e200), 4U);
+}
+
+// @manual field Fric, fct_IDF; comment 12; departure D39
+TEST(FrictionLaw, CoulombIsNotNegative) {
+    EXPECT_EQ(friction_coefficient(0, {-0.05, {}}, 10, 10), 0.0);
+    EXPECT_EQ(as_built::friction_coefficient({false, true, false}, 0, {-0.05, {}}, 10, 10), -0.05);
+}
+
+// Node 0 is in segments of the parts 2, 0 and 1, in this order. The pairs of the /FRICTION name 0 and 1 only. Its part
+// is that of the first segment, 2; D42: of the named ones the last of the deck, 1.
+// @manual field fric_ID; departure D42
+TEST(NodeParts, TheFirstSegmentOrTheLastNamedPart) {
+    Model model;
+    model.parts.resize(4);
+    Surface surface;
+    for (const int part : {2, 0, 1}) {
+        model.shells.push_back({part + 1, {0, 1, 2, 3}, part, 1.0});
+        surface.segments.push_back({{0, 1, 2, 3}, static_cast<int>(model.shells.size()) - 1});
+    }
+    surface.segments.push_back({{4, 5, 6, 7}, -1});  // on no element
+    model.surfaces.push_back(surface);
+    FrictionModel friction;
+    friction.pairs = {{0, 3, {}}, {3, 1, {}}};
+    model.friction_models.push_back(friction);
+    Interface card;
+    card.secondary_surface = 0;
+    card.friction_model = 0;
+    card.secondary.node = {0, 1, 2, 3, 4, 5, 6, 7};
+    EXPECT_EQ(node_parts(model, card), (std::vector<int>{2, 2, 2, 2, -1, -1, -1, -1}));
+    EXPECT_EQ(as_built::node_parts(model, card), (std::vector<int>{1, 1, 1, 1, -1, -1, -1, -1}));
+    model.friction_models[0].pairs = {{3, 3, {}}};
+    EXPECT_EQ(as_built::node_parts(model, card)[0], -1) << "no pair names a part of it";
 }
 
 // @manual comment 12; field Fric, fric_ID

@@ -79,7 +79,8 @@ struct Hot {
         temperature.assign(static_cast<size_t>(model.nodes.size()), 300.0);
     }
 
-    NodeContact cycle(Contact& contact, double time, double dt) {
+    /// One cycle; `last` is the whole step.
+    NodeHeat cycle(Contact& contact, double time, double dt) {
         Motion motion;
         motion.time = time;
         motion.step = motion.friction_step = dt;
@@ -89,7 +90,7 @@ struct Hot {
         motion.temperature = temperature;
         motion.tools.resize(1);
         last = contact.step(motion);
-        return last.nodes[0];
+        return last.heat[0];
     }
     double& blank() { return temperature[static_cast<size_t>(small.blank_node(0))]; }
 
@@ -108,17 +109,33 @@ TEST(Heat, OneCycleOfConduction) {
     EXPECT_NEAR(hot.cycle(contact, 1e-3, 1e-3).heat, expected, 1e-12 * expected);
 }
 
-// f_K runs from 1 without pressure to 3 at the pressure 100. F_n = 1000 * 0.2 on A = 4 is the pressure 50; AscaleK 0.5
-// makes it 25: f_K = 1.5, K = 20 * 1.5.
-// @manual eq 15; field Kthe, fct_IDK, AscaleK; comment 16
+// f_K runs from 1 at 0 to 3 at 100. F_n = 1000 * 0.2 on A = 4 is the pressure 50; over AscaleK 2 it is 25: f_K = 1.5.
+// D38: 2 * 50 = 100, f_K = 3.
+// @manual eq 15; field Kthe, fct_IDK, AscaleK; comment 16; departure D38
 TEST(Heat, TheExchangeCoefficientFollowsThePressure) {
-    Hot hot(0.3);
-    hot.small.card().ascalek.value = 0.5;
-    hot.small.card().function_conduction = 0;
-    hot.small.model().functions.push_back({1, "", {0.0, 100.0}, {1.0, 3.0}});
+    for (const bool d38 : {false, true}) {
+        Hot hot(0.3);
+        hot.small.card().ascalek.value = 2;
+        hot.small.card().function_conduction = 0;
+        hot.small.model().functions.push_back({1, "", {0.0, 100.0}, {1.0, 3.0}});
+        hot.small.model().as_built.set(Departure::D38, d38);
+        Contact contact(hot.small.scene(), 0);
+        const double expected = 4 * 200 * 1e-3 / (0.3 / 56 + 1 / (d38 ? 60.0 : 30.0));
+        EXPECT_NEAR(hot.cycle(contact, 0, 1e-3).heat, expected, 1e-12 * expected) << d38;
+    }
+}
+
+// A h_r = 4 * 5.67e-8 (500^2 + 300^2)(500 + 300): with it Phi = A h_r (T_m - T_s) dt.
+// @manual eq 17; field Frad
+TEST(Heat, RadiationReportsWhatItConducts) {
+    Hot hot(0.9);
+    hot.small.card().frad.value = 5.67e-8;
+    hot.small.card().drad.value = 1.5;
     Contact contact(hot.small.scene(), 0);
-    const double expected = 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 30.0);
-    EXPECT_NEAR(hot.cycle(contact, 0, 1e-3).heat, expected, 1e-12 * expected);
+    const NodeHeat node = hot.cycle(contact, 1e-3, 1e-3);
+    EXPECT_NEAR(node.radiant_conductance, 4 * 5.67e-8 * (250000 + 90000) * 800, 1e-12);
+    EXPECT_NEAR(node.heat, node.radiant_conductance * 200 * 1e-3, 1e-15);
+    EXPECT_EQ(node.conductance, 0);
 }
 
 // A node of capacity C cools by T_{n+1} = T_n + r (Tint - T_n): after n cycles the difference is (1 - r)^n of the
@@ -178,7 +195,7 @@ TEST(Heat, WhatTheToolGivesTheBlankGets) {
     for (int n = 1; n <= 4; ++n)
         hot.temperature[static_cast<size_t>(n)] = 900;
     Contact contact(hot.small.scene(), 0);
-    const NodeContact node = hot.cycle(contact, 1e-3, 1e-3);
+    const NodeHeat node = hot.cycle(contact, 1e-3, 1e-3);
     EXPECT_GT(node.heat, 0);
     EXPECT_NEAR(hot.last.sums.heat_to_tool, -node.heat, 1e-13 * node.heat);
     EXPECT_NEAR(node.heat, 4 * 600 * 1e-3 / (0.3 / 56 + 0.05), 1e-10);  // T_m = 900, not Tint
@@ -203,9 +220,9 @@ TEST(Heat, AProximityNodeHasNoForce) {
     hot.small.card().frad.value = 5.67e-8;
     hot.small.card().drad.value = 1.5;
     Contact contact(hot.small.scene(), 0);
-    const NodeContact node = hot.cycle(contact, 1e-3, 1e-3);
-    EXPECT_EQ(node.decision.kind, Kind::proximity);
-    EXPECT_EQ(node.force, Vec3(0, 0, 0));
+    const NodeHeat node = hot.cycle(contact, 1e-3, 1e-3);
+    EXPECT_EQ(hot.last.nodes[0].decision.kind, Kind::proximity);
+    EXPECT_EQ(hot.last.nodes[0].force, Vec3(0, 0, 0));
     EXPECT_GT(node.heat, 0);
 }
 

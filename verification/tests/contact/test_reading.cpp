@@ -50,13 +50,18 @@ std::map<std::string, double> numbers_of(const ContactModel& model, const Interf
         {"friction stiffness", reading.friction_stiffness(card, 500, 1000)},
         {"friction temperature", reading.friction_temperature(card, 300, 900)},
         {"friction coefficient", reading.friction_coefficient(4, {0.3, {0.1, 0, 0, 0, 0, 0}}, 0, 0)},
+        {"friction below zero", reading.friction_coefficient(0, {-0.1, {}}, 0, 0)},
+        {"friction overflow", reading.friction_coefficient(2, {0.3, {0, 1, 0, 0, 0, 0}}, 1, 1e4)},
+        {"part", reading.node_parts(model, card)[0]},
         {"filter", reading.filter_constant(card, 0.25)},
         {"heat reach", reading.heat_reach(card)},
         {"zones", reading.heat_zones(card, 3.2, 0.5).radiation},
+        {"conduction abscissa", reading.conduction_abscissa(card, 100)},
         {"conductance", reading.distance_conductance(20, 0.5, 0.5, 50)},
         {"friction heat", reading.friction_heat_to_tool},
         {"division", reading.division_radius_factor},
         {"tool damping", reading.tool_damping_stiffness({1, 2}, {3, 4}).rotation},
+        {"damped inertia", reading.damped_inertia(model.rigid_bodies[0], Mat3::Identity(), {0, 0, 2})},
     };
 }
 
@@ -68,7 +73,15 @@ std::string changed_by(Departure departure, const std::function<void(Interface&)
     card.stfac.value = 1;
     card.fscalegap.value = 1;
     card.largest_gap = 0.6;
-    card.ascalef.value = 2;
+    card.ascalef.value = card.ascalek.value = 2;
+    small.model().rigid_bodies[0].inertia = Vec3(1, 2, 3).asDiagonal();
+    // The node of the blank is on a shell of part 0 and then on one of part 1; the pair of /FRICTION names the second.
+    const int node = small.blank_node(0);
+    small.model().parts.resize(2);
+    small.model().shells = {{1, {node, node, node, node}, 0, 1.0}, {2, {node, node, node, node}, 1, 1.0}};
+    small.model().surfaces[static_cast<size_t>(card.secondary_surface)].segments = {{{node, node, node, node}, 0},
+                                                                                    {{node, node, node, node}, 1}};
+    small.model().friction_models.emplace_back().pairs.push_back({1, -1, {}});
     card.tint.value = 500;
     card.ithe.value = 1;
     card.drad.value = 3;
@@ -83,7 +96,7 @@ std::string changed_by(Departure departure, const std::function<void(Interface&)
     return changed;
 }
 
-// @manual departure D01, D04, D05, D06, D07, D08, D10, D13, D28
+// @manual departure D01, D04, D05, D06, D07, D08, D10, D13, D28, D39, D40, D42, D43
 TEST(ContactReading, EachForceDepartureHasItsPlace) {
     EXPECT_EQ(changed_by(Departure::D01), "stiffness");
     EXPECT_EQ(changed_by(Departure::D04), "friction stiffness");
@@ -101,6 +114,11 @@ TEST(ContactReading, EachForceDepartureHasItsPlace) {
     EXPECT_EQ(changed_by(Departure::D08), "friction temperature");
     EXPECT_EQ(changed_by(Departure::D10), "friction coefficient");
     EXPECT_EQ(changed_by(Departure::D13), "tool damping");
+    EXPECT_EQ(changed_by(Departure::D39), "friction below zero");
+    EXPECT_EQ(changed_by(Departure::D40), "damped inertia");
+    EXPECT_EQ(changed_by(Departure::D42), "part") << "no part where no /FRICTION names one";
+    EXPECT_EQ(changed_by(Departure::D42, [](Interface& card) { card.friction_model = 0; }), "part");
+    EXPECT_EQ(changed_by(Departure::D43), "friction overflow");
 }
 
 // @manual departure D11, D12, D26, D30, D31, D33, D34, D35
@@ -116,12 +134,13 @@ TEST(ContactReading, EachDepartureOfTheImpactHasItsPlace) {
     EXPECT_EQ(changed_by(Departure::D35), "first lift leaning, lift leaning");
 }
 
-// @manual departure D15, D16, D32, D37
+// @manual departure D15, D16, D32, D37, D38
 TEST(ContactReading, EachDepartureOfOtherEffectsHasItsPlace) {
     EXPECT_EQ(changed_by(Departure::D15, [](Interface& card) { card.frad.value = 1; }), "zones");
     EXPECT_EQ(changed_by(Departure::D16), "friction heat");
     EXPECT_EQ(changed_by(Departure::D32), "conductance");
     EXPECT_EQ(changed_by(Departure::D37), "division");
+    EXPECT_EQ(changed_by(Departure::D38), "conduction abscissa");
 }
 
 }  // namespace

@@ -43,6 +43,23 @@ TEST(NodalNormals, ThatCancelAreZeroAndNotNaN) {
         EXPECT_EQ(v, Vec3(0, 0, 0));
 }
 
+// A flat quad and a triangle that stands on its edge: the normal of the edge leans by atan(1/2) = 26.6 degrees. With
+// the triangle listed a second time, from the other side even, it stays; where none is noted (D41) it leans by
+// atan(2/2).
+// @manual field surf_IDm; departure D41
+TEST(ToolSurface, ARepeatedSegmentCountsOnceInTheNormals) {
+    const SurfaceMesh tool{{{-9, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-9, 1, 0}, {0, 0.5, 1}},
+                           {{0, 1, 2, 3}, {1, 2, 4, 4}, {1, 2, 4, 4}}};
+    for (const bool noted : {true, false}) {
+        SceneBuilder small = test::small_scene(tool, {{0, 0, 1}});
+        if (noted) small.model().surfaces[static_cast<size_t>(small.card().main_surface)].repeated = {2};
+        const ToolSurface surface(small.model(), small.card());
+        const Vec3 expected = noted ? Vec3(1, 0, 2).normalized() : Vec3(1, 0, 1).normalized();
+        EXPECT_NEAR((surface.shape(0).normal[1] - expected).norm(), 0, 1e-15) << noted;
+        EXPECT_EQ(surface.size(), 3) << "it stays a segment";
+    }
+}
+
 /// A bumpy sheet of n x n quads with a fold.
 SceneBuilder bumpy(int n) {
     SurfaceMesh sheet = grid(n, n, [n](int i, int j) {

@@ -64,7 +64,8 @@ TEST(FieldTable, UnitsAreThoseOfTheWorkUnits) {
 
 TEST(FieldTable, UnitsThatHangOnAFlag) {
     EXPECT_EQ(row_of(table({}), "Kthe").unit, "Mg/(s^3 K)") << "a coefficient";
-    EXPECT_EQ(row_of(thermal_table({{"Ithe", "1"}, {"fct_IDK", "4"}}), "Kthe").unit, "") << "the scale of a function";
+    EXPECT_EQ(row_of(thermal_table({{"Ithe", "1"}, {"fct_IDK", "4"}}), "Kthe").unit, "Mg/(s^3 K)")
+        << "also as the scale of a function";
     EXPECT_EQ(row_of(table({{"Ifiltr", "3"}, {"Xfreq", "9.0"}}), "Xfreq").unit, "1/s") << "a cutting frequency";
     EXPECT_EQ(row_of(table({{"Ifiltr", "1"}, {"Xfreq", "0.5"}}), "Xfreq").unit, "");
 }

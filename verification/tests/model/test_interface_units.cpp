@@ -70,7 +70,10 @@ TEST(InterfaceUnits, HeatConvertsByDimension) {
     EXPECT_DOUBLE_EQ(it.drad, 4.0);
     EXPECT_DOUBLE_EQ(it.ascalek, 2.0);
     EXPECT_EQ(it.tint, 900.0);
-    EXPECT_EQ(card({{"Kthe", "2e4"}, {"fct_IDK", "3"}}).kthe, 2e4) << "the scale of a function is a pure number";
+    EXPECT_DOUBLE_EQ(card({{"Kthe", "2e4"}, {"fct_IDK", "3"}}).kthe, 20.0) << "also as the scale of a function";
+    model.as_built.set(Departure::D38);
+    EXPECT_DOUBLE_EQ(card({{"Kthe", "2e4"}, {"fct_IDK", "3"}}).kthe, 2e4) << "D38: the number as written";
+    EXPECT_DOUBLE_EQ(card({{"Kthe", "2e4"}}).kthe, 20.0) << "with the function only";
     model.as_built.set(Departure::D36);
     EXPECT_DOUBLE_EQ(card({{"fct_IDK", "3"}}).kthe, 1e-3) << "D36: one W/(m^2 K), the unit of the card";
 }

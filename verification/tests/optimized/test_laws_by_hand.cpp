@@ -96,6 +96,52 @@ TEST(OptimizedLaws, CoefficientsOfPressureAndSpeed) {
     EXPECT_DOUBLE_EQ(FrictionLaw(0, page).coefficient(decay, 9, 0.5, 1.2), 0.36) << "Fric f_IDF";
 }
 
+// Terms with the coefficient 0 are 0, also beside an exponential or a square beyond double; D43: the least coefficient.
+// @manual eq 9, 10, 11; field Ifric, C1, C2; comment 13; departure D10, D39, D43
+TEST(OptimizedLaws, ATermWithoutCoefficientIsNothing) {
+    const FrictionLaw law_2(2, page), built_2(2, with(Departure::D43)), law_4(4, page),
+        built_4(4, with(Departure::D43));
+    EXPECT_EQ(law_2.coefficient({0.1, {0, 1, 0, 2, 0, 3}}, 2, 1e4, 1), 0.1);
+    EXPECT_EQ(built_2.coefficient({0.1, {0, 1, 0, 2, 0, 3}}, 2, 1e4, 1), 1e-30);
+    EXPECT_EQ(law_2.coefficient({0.1, {0.2, 1, 0.3, 1, 0, 0}}, 0, 1e4, 1), 0.1) << "no pressure, no term of it";
+    EXPECT_EQ(law_4.coefficient({0.1, {0.1, -1, 0, 0, 0, 0}}, 2, 1e4, 1), 0.1) << "Fric = C1";
+    EXPECT_EQ(built_4.coefficient({0.1, {0.1, -1, 0, 0, 0, 0}}, 2, 1e4, 1), 1e-30);
+    EXPECT_EQ(FrictionLaw(1, page).coefficient({0.1, {}}, 2, 1e200, 1), 0.1);
+    const FrictionCoefficients overflow{0.1, {0.2, 1, 0.3, 1, 0.4, 5}};
+    EXPECT_FALSE(std::isfinite(law_2.coefficient(overflow, 2, 1e4, 1)));
+    EXPECT_EQ(law_2.overflowing(overflow, 1e4), 1);
+    EXPECT_EQ(law_2.overflowing({0.1, {0, 1, 0, 2, 0.4, 5}}, 1e4), 5);
+    EXPECT_TRUE(std::isfinite(built_2.coefficient(overflow, 2, 1e4, 1)));
+    EXPECT_FALSE(std::isfinite(law_4.coefficient({0.1, {0.2, -1, 0, 0, 0, 0}}, 2, 1e4, 1))) << "- infinite, too";
+    EXPECT_EQ(FrictionLaw(0, page).coefficient({0.1, {}}, 2, 1, -0.5), 0.0);
+    EXPECT_EQ(FrictionLaw(0, with(Departure::D39)).coefficient({0.1, {}}, 2, 1, -0.5), -0.05);
+}
+
+// Node 0 is in segments of the parts 2, 0 and 1; the pairs name 0 and 1. The first segment has no pair: the default
+// 0.1. D42: part 1 and the pair with it, 0.3.
+// @manual field fric_ID; departure D42
+TEST(OptimizedLaws, ANodeOfSeveralParts) {
+    ContactModel model;
+    model.parts.resize(4);
+    model.surfaces.resize(2);
+    for (const int part : {2, 0, 1, 3}) {
+        model.shells.push_back({part + 1, {0, 0, 0, 0}, part, 1.0});
+        model.surfaces[part == 3 ? 1 : 0].segments.push_back({{0, 0, 0, 0}, static_cast<int>(model.shells.size()) - 1});
+    }
+    FrictionModel friction;
+    friction.fallback.fric = 0.1;
+    friction.pairs = {{0, 3, {0.2, {}}}, {3, 1, {0.3, {}}}};
+    model.friction_models.push_back(friction);
+    Interface card;
+    card.secondary_surface = 0;
+    card.main_surface = 1;
+    card.friction_model = 0;
+    card.secondary.node = {0};
+    EXPECT_EQ(FrictionTable(model, card).at(0, 0).fric, 0.1);
+    model.as_built.set(Departure::D42);
+    EXPECT_EQ(FrictionTable(model, card).at(0, 0).fric, 0.3);
+}
+
 // A node of part 0 over main segments of parts 1 and 2; the pair (1, 0) is listed.
 // @manual field fric_ID
 TEST(OptimizedLaws, AListedPairOfPartsGoesFirst) {
@@ -185,16 +231,18 @@ struct Warm {
     Interface card;
 };
 
-// @manual eq 14, 15; field Ithe, Kthe, fct_IDK, AscaleK; comment 16
+// @manual eq 14, 15; field Ithe, Kthe, fct_IDK, AscaleK; comment 16; departure D38
 TEST(OptimizedLaws, ConductionFollowsDistanceAndPressure) {
     Warm warm;
     EXPECT_NEAR(warm.to_node(-0.1), 4 * 200 * 1e-3 * 20, 1e-13);
     EXPECT_NEAR(warm.to_node(0.3), 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 20.0), 1e-13);
     EXPECT_EQ(warm.to_node(0.6), 0.0) << "beyond the gap";
     warm.card.function_conduction = 0;
-    warm.card.ascalek.value = 0.5;
+    warm.card.ascalek.value = 2;
     warm.model.functions.push_back({1, "", {0.0, 100.0}, {1.0, 3.0}});
-    EXPECT_NEAR(warm.to_node(0.3, -200), 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 30.0), 1e-13);
+    EXPECT_NEAR(warm.to_node(0.3, -200), 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 30.0), 1e-13) << "f_K(50 / 2) = 1.5";
+    warm.model.as_built.set(Departure::D38);
+    EXPECT_NEAR(warm.to_node(0.3, -200), 4 * 200 * 1e-3 / (0.3 / 56 + 1 / 60.0), 1e-13) << "D38: f_K(2 x 50) = 3";
 }
 
 // Half way from the gap to Dcond f is 0.5: K = 10 in series with the sheet over the gap; D32 takes half of the whole.

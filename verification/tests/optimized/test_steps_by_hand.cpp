@@ -210,11 +210,11 @@ TEST(OptimizedSteps, TheSkidLineKeepsTheLargestRatio) {
     small.card().pskid.value = 100;
     Hand hand(small);
     hand.v(0).x() = 1e3;
-    EXPECT_NEAR(hand.step(0, 0).nodes[0].skid, 0, 1e-15);
-    EXPECT_NEAR(hand.step(0.1, 0.1).nodes[0].skid, 20 * std::sqrt(3.0) / 100, 1e-12);
+    EXPECT_NEAR(hand.step(0, 0).skid[0], 0, 1e-15);
+    EXPECT_NEAR(hand.step(0.1, 0.1).skid[0], 20 * std::sqrt(3.0) / 100, 1e-12);
     hand.v(0).x() = 0;
     hand.x(0).z() = 0.4;
-    EXPECT_NEAR(hand.step(0.2, 0.1).nodes[0].skid, 20 * std::sqrt(3.0) / 100, 1e-12);
+    EXPECT_NEAR(hand.step(0.2, 0.1).skid[0], 20 * std::sqrt(3.0) / 100, 1e-12);
 }
 
 /// F_n = 200, Fric 0.1, f_IDF(x) = x / 1000, AscaleF 2; T_s = 300, the tool has 900, Tint 500.
@@ -243,6 +243,56 @@ TEST(OptimizedSteps, FrictionFollowsTheMeanTemperature) {
     EXPECT_NEAR(friction_of_a_hot_node(true), 0.04 * 200, 1e-10);
 }
 
+// Fric f = 0.1 (1 - 2 T/1000) at T = (300 + 900)/2 is -0.02: no friction, and a notice; D39: it drives with 4.
+// @manual eq 7, 8; field Fric, fct_IDF; comment 12; departure D39
+TEST(OptimizedSteps, FrictionBelowZero) {
+    for (const bool d39 : {false, true}) {
+        SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {0.3, 0.1, 0.3}});
+        Interface& card = small.card();
+        card.ithe.value = card.ithe_form.value = 1;
+        card.fric.value = 0.1;
+        card.fct_idf.value = 1;
+        card.function_friction = 0;
+        small.model().functions.push_back({1, "", {0.0, 100.0}, {1.0, 0.8}});
+        small.model().as_built.set(Departure::D39, d39);
+        Hand hand(small);
+        hand.temperature[hand.node(0)] = hand.temperature[hand.node(1)] = 300;
+        hand.v(0).x() = hand.v(1).x() = 1e3;
+        hand.step(0, 0);
+        const ContactStep step = hand.step(1e-3, 1e-3);
+        EXPECT_NEAR(step.nodes[0].friction.x(), d39 ? -0.02 * 200 : 0, 1e-10);
+        EXPECT_EQ(step.friction_below_zero.count, 2);
+        EXPECT_EQ(step.friction_below_zero.node, small.blank_node(0));
+        EXPECT_NEAR(step.friction_below_zero.abscissa, 600, 1e-10);
+        EXPECT_NEAR(step.friction_below_zero.coefficient, -0.02, 1e-15);
+    }
+}
+
+// e^(C2 s) with C2 s = 1000 is no double: C1 0.1 makes mu infinite, and the step names C2 and the speed.
+// @manual eq 11; field C1, C2; comment 13; departure D43
+TEST(OptimizedSteps, AFrictionLawThatOverflowsIsNamed) {
+    for (const bool d43 : {false, true}) {
+        SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {0.3, 0.1, 0.3}});
+        Interface& card = small.card();
+        card.ifric.value = 2;
+        card.fric.value = 0.1;
+        card.c[0].value = 0.1;
+        card.c[1].value = 1;
+        small.model().as_built.set(Departure::D43, d43);
+        Hand hand(small);
+        hand.v(0).x() = 1e3;
+        hand.step(0, 0);
+        const FrictionOverflow overflow = hand.step(1e-3, 1e-3).friction_overflow;
+        EXPECT_EQ(overflow.count, d43 ? 0 : 1);
+        if (d43) continue;
+        EXPECT_EQ(overflow.node, small.blank_node(0));
+        EXPECT_EQ(overflow.coefficient, 1);
+        EXPECT_EQ(overflow.value, 1);
+        EXPECT_NEAR(overflow.speed, 1e3, 1e-10);
+        EXPECT_NEAR(overflow.pressure, 200, 1e-9);
+    }
+}
+
 // A node that slides with mu F_n = 20 loses (|T| - 20) 20 / k; half of it heats the blank, with D16 the tool, too.
 // @manual eq 19; field Fheat, Ithe, Tint, Ithe_form; comment 16, 18; departure D16
 TEST(OptimizedSteps, FrictionHeatAndTheTemperatureOfTheTool) {
@@ -265,8 +315,8 @@ TEST(OptimizedSteps, FrictionHeatAndTheTemperatureOfTheTool) {
             const ContactStep step = hand.step(0.1, 0.1);  // F_n = 600, limit 60, |T| = 1000 * 10 * 0.1
             const double friction_heat = 0.5 * (1000 - 60) * 60 / 1000.0;
             const double conducted = 20 * ((form == 1 ? 900 : 500) - 300) * 0.1;
-            EXPECT_NEAR(step.nodes[0].friction_heat, friction_heat, 1e-10);
-            EXPECT_NEAR(step.nodes[0].heat, conducted + friction_heat, 1e-9);
+            EXPECT_NEAR(step.heat[0].friction_heat, friction_heat, 1e-10);
+            EXPECT_NEAR(step.heat[0].heat, conducted + friction_heat, 1e-9);
             EXPECT_NEAR(step.sums.heat_to_tool, form == 0 ? 0 : (d16 ? friction_heat : 0) - conducted, 1e-9);
         }
     }
@@ -293,6 +343,44 @@ TEST(OptimizedSteps, ToolDampingOfBothMotions) {
             EXPECT_NEAR((step.tool.damping_force - force).norm(), 0, 1e-9) << axis;
             EXPECT_NEAR((step.tool.damping_moment - moment).norm(), 0, 1e-9) << axis;
         }
+    }
+}
+
+// I = diag(4, 9, 25) turned by 90 degrees about z: about the global axes x, y, z it is 9, 4, 25; about (0, 0.6, 0.8) it
+// is 4 * 0.36 + 25 * 0.64 = 17.44. As built it is 4 for every axis. No spin, no moment.
+// @manual field Dampr; comment 19; departure D40
+TEST(OptimizedSteps, DamprUsesTheInertiaAboutTheAxisOfTheTurn) {
+    const std::vector<std::pair<Vec3, double>> axes{
+        {{1, 0, 0}, 9}, {{0, 1, 0}, 4}, {{0, 0, 1}, 25}, {{0, 0.6, 0.8}, 17.44}, {{0, 0, 0}, 1}};
+    for (const auto& [axis, inertia] : axes) {
+        for (const bool d40 : {false, true}) {
+            SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {-0.2, 0.1, 0.3}});
+            small.card().dampr.value = 0.1;
+            small.model().rigid_bodies[0].inertia = Vec3(4, 9, 25).asDiagonal();
+            small.model().as_built.set(Departure::D40, d40);
+            Hand hand(small);
+            hand.tools[0].rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+            hand.tools[0].angular_velocity = 3 * axis;
+            const double arm = 2 * 1000 * (0.04 + 0.01);  // k |X - x_G|^2 of both nodes
+            const Vec3 moment = -3 * 2 * 0.1 * std::sqrt((d40 ? 4.0 : inertia) * arm) * axis;
+            EXPECT_NEAR((hand.step(0, 0).tool.damping_moment - moment).norm(), 0, 1e-9) << axis.transpose() << d40;
+        }
+    }
+}
+
+// A flat quad with a triangle that stands on its edge, listed twice: the normal of the edge leans by atan(1/2), where
+// the second is not noted (D41) by atan(2/2).
+// @manual field surf_IDm; departure D41
+TEST(OptimizedSteps, ARepeatedSegmentCountsOnceInTheNormals) {
+    for (const bool noted : {true, false}) {
+        SceneBuilder small = test::small_scene(
+            {{{-9, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-9, 1, 0}, {0, 0.5, 1}}, {{0, 1, 2, 3}, {1, 2, 4, 4}, {1, 2, 4, 4}}},
+            {{-9, 0.5, 0.3}});
+        if (noted) small.model().surfaces[static_cast<size_t>(small.card().main_surface)].repeated = {2};
+        const Tool tool(small.model(), small.card());
+        const V3 normal = tool.normal(0, 1);
+        EXPECT_NEAR(normal.z / normal.x, noted ? 2 : 1, 1e-14);
+        EXPECT_EQ(tool.size(), 3);
     }
 }
 
