@@ -71,9 +71,14 @@ void check_nodes(const Judge& judge, const Interface& interface, const ContactSt
         judge.node(index, "contact stiffness", node.step_stiffness, dim::stiffness);
         judge.node(index, "gap", node.gap, dim::length);
         judge.node(index, "distance to the tool", node.distance, dim::length);
-        judge.node(index, "skid ratio", node.skid, dim::none);
-        judge.node(index, "heat", node.heat, dim::energy);
-        judge.node(index, "conductance", node.conductance, power_per_temperature);
+    }
+    for (size_t n = 0; n < step.skid.size(); ++n)
+        judge.node(interface.secondary.node[n], "skid ratio", step.skid[n], dim::none);
+    for (size_t n = 0; n < step.heat.size(); ++n) {
+        const int index = interface.secondary.node[n];
+        judge.node(index, "heat", step.heat[n].heat, dim::energy);
+        judge.node(index, "conductance", step.heat[n].conductance + step.heat[n].radiant_conductance,
+                   power_per_temperature);
     }
 }
 

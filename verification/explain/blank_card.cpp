@@ -45,7 +45,7 @@ Deck deck_of_card(const std::string& card_lines_text) {
         begin = end + 1;
     }
     Card card;
-    card.keyword = lines.front().text;
+    card.keyword = lines.front().text();
     card.words = {"INTER", "TYPE21", "1"};
     card.place = lines.front();
     card.lines.assign(lines.begin() + 1, lines.end());
