@@ -33,6 +33,7 @@ struct PathCounts : PathTally {
 /// What there is to choose beside the scene. No choice changes a decision or a force.
 struct ContactOptions {
     SearchKind search = SearchKind::tree;
+    double bumult = 0;  ///< instead of that of the card, with the sorted search; 0: that of the card [-]
 };
 
 /// What the sorted search did since the start.

@@ -79,8 +79,8 @@ void Contact::State::new_search() {
     limits.lift_leaning = as_built.has(Departure::D35);
     laws.search = std::make_unique<Search>(laws.tool, limits, boxes, options.search);
     if (options.search == SearchKind::sorted)
-        candidates =
-            std::make_unique<CandidateLists>(laws.search->boxes(), sort_margin(*laws.model, card, laws.proximity));
+        candidates = std::make_unique<CandidateLists>(laws.search->boxes(),
+                                                      sort_margin(*laws.model, card, laws.proximity, options.bumult));
     // What nodes remember holds for the old limits only.
     for (Memory& memory : nodes.memory)
         memory.forget();

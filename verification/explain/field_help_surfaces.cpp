@@ -138,7 +138,8 @@ std::vector<FieldHelp> field_help_surfaces() {
          {}},
         {"Bumult",
          "Margin of the search for candidates.",
-         "No effect on results here: the search is complete for every value.",
+         "No effect on results here: every search is complete for every value. The sorted search (run --search sorted) "
+         "sorts again when a node has moved by Bumult times the larger of the mean side of the sheet and 1.251 DEPTH.",
          "manual page, comment 10; Formulation 4, step 1",
          {D23}},
     };

@@ -30,10 +30,11 @@ double mean_side(const ContactModel& model, int surface) {
 }  // namespace
 
 /// @manual field Bumult
-double sort_margin(const ContactModel& model, const Interface& card, double proximity) {
+double sort_margin(const ContactModel& model, const Interface& card, double proximity, double bumult) {
     double side = mean_side(model, card.secondary_surface);
     if (!(side > 0)) side = mean_side(model, card.main_surface);
-    return card.bumult * std::max({side, share_of_depth * card.depth, share_of_depth * proximity});
+    return (bumult > 0 ? bumult : double(card.bumult)) *
+           std::max({side, share_of_depth * card.depth, share_of_depth * proximity});
 }
 
 }  // namespace type21::optimized

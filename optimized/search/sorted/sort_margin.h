@@ -10,6 +10,7 @@ namespace type21::optimized {
 /// with the mean side of the segments of the secondary surface at time 0, or of the tool where that surface has none.
 /// Source: Formulation 4, step 1.
 /// @param proximity  how far heat reaches beyond the gap [length]
-double sort_margin(const ContactModel& model, const Interface& card, double proximity);
+/// @param bumult     instead of that of the card; 0: that of the card [-]
+double sort_margin(const ContactModel& model, const Interface& card, double proximity, double bumult = 0);
 
 }  // namespace type21::optimized

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "verification/performance/bench/closest_point.h"
+#include "verification/support/contact_choice.h"
 
 namespace type21::bench {
 
@@ -53,7 +54,7 @@ void add_pan_targets(const BenchScene& scene, int size, BenchResult& result) {
 /// of the scenes, and `fuzz` asks them without end.
 struct CheckShares {
     explicit CheckShares(long all) : bowl(all / 10), ties(all / 20), families(std::min(all / 20, 500000L)) {
-        pans = all - bowl - ties - families;
+        pans = all - bowl - bowl / 2 - ties - families;
     }
     long bowl, ties, families, pans;
 };
@@ -68,6 +69,8 @@ void time_bowl(const BenchOptions& options, BenchResult& result) {
                               ratio_of(result, bowl.name, exactness), "full search; both meshes are structured"});
     options.progress("bowl: stages, sums");
     measure_stages(bowl, options, result);
+    options.progress("bowl: searches");
+    measure_searches(bowl, options, result);
     options.progress("bowl: threads");
     measure_threads(bowl, options, result);
     options.progress("bowl: effects on and off");
@@ -75,6 +78,9 @@ void time_bowl(const BenchOptions& options, BenchResult& result) {
     if (options.check == 0) return;
     options.progress("bowl: check of decisions");
     result.check.push_back(check_steps(bowl, CheckShares(options.check).bowl));
+    result.check.push_back(
+        check_steps(bowl, CheckShares(options.check).bowl / 2, contact_maker("optimized", "sorted")));
+    result.check.back().what += ", with the sorted search";
 }
 
 void time_ties(const BenchOptions& options, BenchResult& result) {
@@ -92,6 +98,8 @@ void time_pan(int size, const BenchOptions& options, BenchResult& result) {
     options.progress(fmt::format("{}: {} nodes", name, pan.nodes()));
     result.growth.push_back(measure_methods(pan, options, true, result).value());
     add_pan_targets(pan, size, result);
+    options.progress(name + ": searches");
+    measure_searches(pan, options, result);
     if (options.check > 0) {
         options.progress(name + ": check of decisions");
         const auto pans = static_cast<long>(options.sizes.size());
@@ -149,6 +157,7 @@ BenchResult run_bench(const BenchOptions& options) {
             const BenchScene deck = deck_bench(*options.deck, static_cast<int>(i), options.deck_cycles);
             options.progress(fmt::format("{}: {} nodes, {} cycles", deck.name, deck.nodes(), deck.cycles));
             measure_methods(deck, options, true, result);
+            measure_searches(deck, options, result);
             if (options.check > 0) result.check.push_back(check_deck(deck, options.check));
         }
     }

@@ -53,6 +53,8 @@ std::optional<GrowthRow> measure_methods(const BenchScene& scene, const BenchOpt
                                          BenchResult& result);
 /// Stages, cost of the sums, roofline. For a generated scene.
 void measure_stages(const BenchScene& scene, const BenchOptions& options, BenchResult& result);
+/// Cost of the two searches, that of the sorted one against Bumult.
+void measure_searches(const BenchScene& scene, const BenchOptions& options, BenchResult& result);
 void measure_effects(const BenchOptions& options, BenchResult& result);
 void measure_threads(const BenchScene& scene, const BenchOptions& options, BenchResult& result);
 

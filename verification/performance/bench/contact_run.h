@@ -12,14 +12,16 @@ namespace type21::bench {
 
 class ContactRun {
   public:
-    explicit ContactRun(const BenchScene& scene)
-        : scene_(scene), contact_(std::make_unique<optimized::Contact>(scene.scene, scene.interface)) {}
+    explicit ContactRun(const BenchScene& scene, const optimized::ContactOptions& options = {})
+        : scene_(scene),
+          options_(options),
+          contact_(std::make_unique<optimized::Contact>(scene.scene, scene.interface, options)) {}
 
     /// Times the next cycle [ns per node]; a recorded motion that has ended begins again with a new contact.
     /// @param lean  the step that the time integration needs; where the scene has no such step, the full one
     double next(bool lean, bool one_thread = true) {
         if (scene_.cycles > 0 && cycle_ >= scene_.cycles) {
-            contact_ = std::make_unique<optimized::Contact>(scene_.scene, scene_.interface);
+            contact_ = std::make_unique<optimized::Contact>(scene_.scene, scene_.interface, options_);
             cycle_ = 0;
         }
         const Motion motion = scene_.motion(cycle_++);
@@ -47,6 +49,7 @@ class ContactRun {
 
   private:
     const BenchScene& scene_;
+    optimized::ContactOptions options_;
     std::unique_ptr<optimized::Contact> contact_;
     ContactStep step_;  ///< its memory is used again, as the host does
     int cycle_ = 0;

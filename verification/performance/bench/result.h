@@ -71,6 +71,19 @@ struct GrowthRow {
     std::optional<double> embree;          ///< [ns]
 };
 
+/// A step with one of the searches. Times are [ns] per node and cycle.
+struct SearchRow {
+    std::string scene, search;       ///< "tree" or "sorted"
+    std::optional<double> bumult{};  ///< of the sorted search, like what is below [-]
+    double margin = 0;               ///< [length]
+    double ns = 0;                   ///< a cycle without a sort, median
+    double ns_sort = 0;              ///< one sort, a node
+    double cycles_per_sort = 0;
+    double ns_in_all = 0;  ///< with the share of the sorts
+    double candidates_per_node = 0, boxes_per_node = 0;
+    double bytes_per_node = 0, bytes_per_segment = 0;
+};
+
 struct ThreadRow {
     std::string scene;
     int threads = 1;
@@ -103,6 +116,7 @@ struct BenchResult {
     std::vector<StageRow> stages;
     std::vector<EffectRow> effects;
     std::vector<GrowthRow> growth;
+    std::vector<SearchRow> searches;
     std::vector<ThreadRow> threads;
     std::optional<Roofline> roofline;
     std::vector<CheckPart> check;

@@ -91,6 +91,21 @@ Json of(const GrowthRow& g) {
     if (g.embree) out["embree"] = *g.embree;
     return out;
 }
+Json of(const SearchRow& s) {
+    Json out{{"scene", s.scene}, {"search", s.search}};
+    if (s.bumult)
+        out.update({{"bumult", *s.bumult},
+                    {"margin", s.margin},
+                    {"ns_sort", s.ns_sort},
+                    {"cycles_per_sort", s.cycles_per_sort},
+                    {"candidates_per_node", s.candidates_per_node},
+                    {"boxes_per_node", s.boxes_per_node}});
+    out.update({{"ns", s.ns},
+                {"ns_in_all", s.ns_in_all},
+                {"bytes_per_node", s.bytes_per_node},
+                {"bytes_per_segment", s.bytes_per_segment}});
+    return out;
+}
 Json of(const ThreadRow& t) {
     return {
         {"scene", t.scene}, {"threads", t.threads}, {"ns", t.ns}, {"speed_up", t.speed_up}, {"same_bits", t.same_bits}};
@@ -174,6 +189,7 @@ Json to_json(const BenchResult& result) {
              {"stages", all(result.stages)},
              {"effects", all(result.effects)},
              {"growth", all(result.growth)},
+             {"searches", all(result.searches)},
              {"threads", all(result.threads)},
              {"check",
               {{"decisions", result.decisions()},

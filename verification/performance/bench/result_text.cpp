@@ -13,6 +13,24 @@ std::string shares(const std::vector<std::pair<std::string, double>>& all) {
     return out;
 }
 
+std::string search_text(const std::vector<SearchRow>& rows) {
+    if (rows.empty()) return {};
+    std::string out =
+        fmt::format("\n{:<16} {:<8} {:>7} {:>9} {:>9} {:>10} {:>11} {:>8} {:>11} {:>6} {:>7}\n", "search", "", "Bumult",
+                    "margin", "ns", "ns a sort", "cycles/sort", "in all", "candidates", "boxes", "B/node");
+    for (const SearchRow& s : rows) {
+        out += s.bumult
+                   ? fmt::format(
+                         "{:<16} {:<8} {:>7g} {:>9.4g} {:>9.1f} {:>10.1f} {:>11.4g} {:>8.1f} {:>11.2f} "
+                         "{:>6.2f} {:>7.0f}\n",
+                         s.scene, s.search, *s.bumult, s.margin, s.ns, s.ns_sort, s.cycles_per_sort, s.ns_in_all,
+                         s.candidates_per_node, s.boxes_per_node, s.bytes_per_node)
+                   : fmt::format("{:<16} {:<8} {:>7} {:>9} {:>9.1f} {:>10} {:>11} {:>8.1f} {:>11} {:>6} {:>7.0f}\n",
+                                 s.scene, s.search, "", "", s.ns, "", "", s.ns_in_all, "", "", s.bytes_per_node);
+    }
+    return out;
+}
+
 std::string scene_text(const BenchResult& result, const SceneRow& s) {
     std::string out = fmt::format("\n{}: {}\n  {} segments, {} nodes, {:.1f} % in contact; {} B per node\n", s.scene,
                                   s.title, s.segments, s.nodes, 100 * s.in_contact, s.bytes_per_node);
@@ -65,6 +83,7 @@ std::string to_text(const BenchResult& result) {
     for (const GrowthRow& g : result.growth)
         out += fmt::format("{:<16} {:>9} {:>9} {:>10.1f} {:>12.1f} {:>8}\n", g.scene, g.segments, g.nodes, g.coherent,
                            g.full_search, g.embree ? fmt::format("{:.1f}", *g.embree) : "-");
+    out += search_text(result.searches);
     if (!result.threads.empty()) out += "\n";
     for (const ThreadRow& t : result.threads)
         out += fmt::format("{}, {} {}: {:.1f} ns, {:.2f} x, {}\n", t.scene, t.threads,

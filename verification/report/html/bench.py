@@ -119,4 +119,4 @@ def section(found, store):
         if isinstance(value, (str, int, float)) and name not in about:
             about[name] = value
     return {"about": about, "figures": figures, "targets": targets, "missed": missed, "words": REACHED,
-            **{name: found.get(name) or [] for name in ("scenes", "rows", "ratios", "stages", "effects", "threads")}, "roofline": found.get("roofline"), "check": found.get("check")}
+            **{name: found.get(name) or [] for name in ("scenes", "rows", "ratios", "stages", "effects", "searches", "threads")}, "roofline": found.get("roofline"), "check": found.get("check")}

@@ -174,7 +174,7 @@ TEST(Bench, FindsNoWrongDecisionOfTheExact) {
     const BenchResult& result = small_bench();
     EXPECT_EQ(result.different(), 0);
     EXPECT_GT(result.decisions(), 2500);
-    EXPECT_EQ(result.check.size(), 5U);
+    EXPECT_EQ(result.check.size(), 6U);
     for (const MethodRow& row : result.rows) {
         const bool exact = row.implementation == "optimized" || row.implementation == "reference";
         EXPECT_TRUE(row.wrong == 0 || !exact) << row.scene << row.method;
@@ -187,9 +187,9 @@ TEST(Bench, FindsNoWrongDecisionOfTheExact) {
 
 TEST(Bench, JsonHasEveryPart) {
     const nlohmann::ordered_json json = to_json(small_bench());
-    for (const char* key : {"format",  "command", "version", "commit",  "cpu",      "compiler", "flags",
-                            "repeats", "quick",   "seconds", "machine", "scenes",   "rows",     "ratios",
-                            "stages",  "effects", "growth",  "threads", "roofline", "check",    "targets"})
+    for (const char* key : {"format", "command",  "version", "commit",   "cpu",   "compiler", "flags",  "repeats",
+                            "quick",  "seconds",  "machine", "scenes",   "rows",  "ratios",   "stages", "effects",
+                            "growth", "searches", "threads", "roofline", "check", "targets"})
         EXPECT_TRUE(json.contains(key)) << key;
     std::set<std::string> scenes, implementations;
     for (const auto& row : json["rows"]) {
@@ -203,6 +203,16 @@ TEST(Bench, JsonHasEveryPart) {
     EXPECT_EQ(implementations, expected);
     EXPECT_EQ(json["effects"].size(), 13U);
     EXPECT_EQ(json["threads"].size(), 2U);
+    EXPECT_EQ(json["searches"].size(), 3U * 6U);
+    for (size_t i = 1; i < 6; ++i) {
+        const auto &one = json["searches"][i], &before = json["searches"][i - 1];
+        EXPECT_EQ(one["search"], "sorted");
+        EXPECT_GE(one["candidates_per_node"], one["boxes_per_node"]);
+        EXPECT_GE(one["ns_in_all"], one["ns"]);
+        if (i == 1) continue;
+        EXPECT_GE(one["candidates_per_node"], before["candidates_per_node"]);
+        EXPECT_GT(one["cycles_per_sort"], before["cycles_per_sort"]);
+    }
     EXPECT_TRUE(json["threads"][1]["same_bits"]);
     EXPECT_EQ(json["growth"].size(), 4U);
     double shares = 0;
@@ -222,8 +232,9 @@ TEST(Bench, JsonRefusesWhatIsNoNumber) {
 
 TEST(Bench, TextShowsEveryPart) {
     const std::string text = to_text(small_bench());
-    for (const char* part : {"stages of the coherent step", "Coulomb friction", "growth", "2 threads",
-                             "decisions, 0 differ", "at least", "candidate list, step", "B per segment"})
+    for (const char* part :
+         {"stages of the coherent step", "Coulomb friction", "growth", "2 threads", "decisions, 0 differ", "at least",
+          "candidate list, step", "B per segment", "cycles/sort", "with the sorted search"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
