@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/deck/printable.h"
 #include "reference/deck/text_file.h"
 #include "reference/model/engine_keywords.h"
 #include "reference/model/numbers.h"
@@ -98,7 +99,7 @@ class EngineCard {
 
 void read_run(EngineCard& card, Reading& reading) {
     EngineControl& engine = reading.model.engine;
-    engine.run_name = card.word(1);
+    engine.run_name = printable(card.word(1));
     if (card.word(2) != "1" || !card.word(3).empty()) {
         card.complain(Severity::error, nullptr, "run number", card.word(2), "only the first run of a deck is supported",
                       "Write /RUN/NAME/1: a restart (2, 3, ...) is not read");

@@ -56,8 +56,8 @@ TEST(Keywords, OtherPhysicsIsNamed) {
 TEST(Keywords, WhatIsNotReadIsAnErrorWhereItIsUsed) {
     const Resolved r = resolved(with_cards("/SENSOR/RBODY/9\ns\n/CLOAD/1\nf\n" + ints({"1", "Z", "0", "9", "3"})));
     const Problem p = only(r.problems);
-    EXPECT_EQ(p.field, "sens_ID");
-    EXPECT_NE(p.rule.find("/SENSOR/RBODY/9"), std::string::npos) << p.rule;
+    EXPECT_EQ(p.card, "/SENSOR/RBODY/9");
+    EXPECT_NE(p.rule.find("not supported"), std::string::npos) << p.rule;
 }
 
 TEST(Keywords, ADeckWithoutTheInterfaceSaysWhatItHas) {
