@@ -48,6 +48,7 @@ Trace run(const Model& model) {
             shot.cycle = record.cycle;
             shot.time = record.time;
             shot.place.assign(record.motion->position.begin(), record.motion->position.end());
+            shot.temperature = *record.temperature;
             shot.force.assign(nodes, Vec3::Zero());
             shot.decision.resize(nodes);
             trace.snapshots.push_back(std::move(shot));

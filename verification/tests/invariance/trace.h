@@ -34,6 +34,7 @@ struct Snapshot {
     double time = 0;
     std::vector<Vec3> place, force;
     std::vector<Decision> decision;
+    std::vector<double> temperature;  ///< empty without heat [K]
 };
 
 struct Trace {

@@ -54,12 +54,6 @@ const std::map<Departure, std::string>& shown_by_a_test() {
     static const std::map<Departure, std::string> table{
         {Departure::D15, "Heat.Zones: the nearest distance limits the search to Drad, so a run hardly shows it"},
         {Departure::D35, "Projection: a nodal normal that leans more than 90 degrees"},
-        {Departure::D38, "Heat.TheExchangeCoefficientFollowsThePressure"},
-        {Departure::D39, "FrictionLaw.CoulombIsNotNegative"},
-        {Departure::D40, "Contact.DamprUsesTheInertiaAboutTheAxisOfTheTurn"},
-        {Departure::D41, "RepeatedSegments.CountOnceInAreasAndInTheMeanThickness"},
-        {Departure::D42, "NodeParts.TheFirstSegmentOrTheLastNamedPart"},
-        {Departure::D43, "FrictionLaw.ATermWithCoefficientZeroIsZero"},
     };
     return table;
 }
