@@ -30,8 +30,8 @@ struct PathTally {
 
     template <class Archive>
     void visit_state(Archive& archive) {
-        auto& [region, ranking, neighbour, apart, by_search, by_double_double, by_integer, listed, held] = *this;
-        archive(region, ranking, neighbour, apart, by_search, by_double_double, by_integer, listed, held);
+        auto& [region, ranking, neighbour, apart, by_search, by_double_double, by_integer, listed, holding] = *this;
+        archive(region, ranking, neighbour, apart, by_search, by_double_double, by_integer, listed, holding);
     }
 };
 

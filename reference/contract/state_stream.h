@@ -61,15 +61,14 @@ class StateWriter {
             add(&field, sizeof field);
         } else if constexpr (PlainMatrix<Field>) {
             add(field.data(), sizeof(typename Field::Scalar) * static_cast<size_t>(Field::SizeAtCompileTime));
+        } else if constexpr (std::is_same_v<Field, std::string>) {
+            put_size(field.size());
+            add(field.data(), field.size());
         } else if constexpr (requires { field.visit_state(*this); }) {
             field.visit_state(*this);
         } else {
             visit_state(*this, field);
         }
-    }
-    void put(const std::string& text) {
-        put_size(text.size());
-        add(text.data(), text.size());
     }
     template <class T>
     void put(std::vector<T>& list) {
