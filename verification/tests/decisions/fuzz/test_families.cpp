@@ -12,7 +12,7 @@ namespace {
 
 /// FNV-1a over the bits of all numbers of a block.
 std::uint64_t fingerprint(const DecisionBlock& block) {
-    const std::string text = to_json(DecisionFile{"", {block}}).dump();
+    const std::string text = to_json(DecisionFile{"", "", {block}}).dump();
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     for (const char letter : text)
         hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
@@ -89,7 +89,7 @@ TEST(Families, give_valid_blocks_that_depend_on_seed_and_index_alone) {
             EXPECT_EQ(block.tool.node.size(), block.tool.normal.size()) << family.name;
             // The reader knows what a valid block is: finite numbers, ranks of nodes, limits of 0 or more.
             std::vector<std::string> problems;
-            decisions_of(nlohmann::json::parse(to_json(DecisionFile{"", {block}}).dump()), "block", problems);
+            decisions_of(nlohmann::json::parse(to_json(DecisionFile{"", "", {block}}).dump()), "block", problems);
             EXPECT_TRUE(problems.empty()) << family.name << " " << index << ": " << problems[0];
             EXPECT_EQ(fingerprint(block), fingerprint(block_of(family, 5, index))) << family.name;
             seen.insert(fingerprint(block));

@@ -38,11 +38,16 @@ std::vector<std::uint64_t> numbers(const ContactStep& step) {
         for (const int i : {static_cast<int>(d.kind), d.segment, d.triangle, d.side, static_cast<int>(node.status)})
             all.push_back(static_cast<std::uint64_t>(i));
         for (const double x : {d.b, d.c, node.gap, node.distance, node.penetration, node.offset, node.stiffness,
-                               node.normal_force, node.elastic_energy, node.step_stiffness, node.skid, node.heat})
+                               node.normal_force, node.elastic_energy, node.step_stiffness})
             add(x);
         for (const Vec3* v : {&node.normal, &node.point, &node.force, &node.friction})
             add_vector(*v);
     }
+    for (const NodeHeat& node : step.heat)
+        for (const double x : {node.heat, node.friction_heat, node.conductance, node.radiant_conductance})
+            add(x);
+    for (const double x : step.skid)
+        add(x);
     for (const Vec3* v : {&step.sums.normal, &step.sums.tangential, &step.tool.force, &step.tool.moment})
         add_vector(*v);
     add(step.sums.elastic_energy);
