@@ -44,6 +44,7 @@ bool turns(const HostState& state, size_t node) {
 }
 
 std::string cycles_text(double cycles) {
+    if (!std::isfinite(cycles)) return "more than 1e308";
     return cycles < 1e15 ? fmt::format("{:.0f}", cycles) : fmt::format("{:.3g}", cycles);
 }
 

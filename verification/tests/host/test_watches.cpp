@@ -133,6 +133,7 @@ TEST(StepWatch, ATimeThatStandsStillIsAnErrorBeforeTheFirstCycle) {
         EXPECT_NE(p.rule.find("t + dt = t"), std::string::npos) << p.rule;
         EXPECT_NE(p.rule.find("cycles"), std::string::npos) << p.rule;
     }
+    EXPECT_NE(judged(5e-324, 1.0).rule.find("more than 1e308 cycles"), std::string::npos) << "the quotient overflows";
     EXPECT_NE(judged(1e-14, 1.0).rule.find("asks for 100000000000000 cycles"), std::string::npos);
     EXPECT_EQ(judged(1.0, 1.0, 1e-20).card, "/TFILE") << "the interval bounds the step";
 }

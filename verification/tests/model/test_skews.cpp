@@ -54,7 +54,7 @@ TEST(Skew, ConditionsLoadsAndVelocitiesUseIt) {
     const Resolved r = resolved(with_cards(
         turned + "/FRAME/FIX/6\nf\n" + vector("1.0", "0.0", "0.0") + vector("0.0", "0.0", "1.0") +
         vector("1.0", "0.0", "0.0") + "/BCS/9\nb\n   100 000" + ints({"5", "1"}) + "/IMPVEL/9\nv\n" +
-        ints({"1", "X", "5", "", "3"}) + "/IMPDISP/8\nd\n" + ints({"1", "Y", "", "", "3", "6"}) + "/CLOAD/9\nf\n" +
+        ints({"1", "X", "5", "", "3"}) + "\n/IMPDISP/8\nd\n" + ints({"1", "Y", "", "", "3", "6"}) + "\n/CLOAD/9\nf\n" +
         ints({"1", "Z", "5", "", "3"}) + "/IMPACC/7\na\n" + ints({"1", "ZZ", "5", "", "3"}) + reals({"", "2.0"})));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     EXPECT_EQ(r.model.boundary_conditions.back().skew, 0);
@@ -92,7 +92,7 @@ TEST(Skew, TheInertiaOfABodyIsInIt) {
         "/NODE\n       301                 0.0                 0.0                50.0\n"
         "/GRNOD/NODE/31\na\n       301\n/RBODY/9\nbody\n" +
         fmt::format("{:>10}{:>10}{:>10}{:>10}{:>20}{:>10}{:>10}{:>10}\n", 301, 0, 5, 0, "8.0", 31, 0, 4) +
-        reals({"10.0", "20.0", "30.0"});
+        reals({"10.0", "20.0", "30.0"}) + "\n\n";
     const Resolved r = resolved(with_cards(turned + body));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     const Mat3& inertia = r.model.rigid_bodies.at(1).inertia;
@@ -112,7 +112,7 @@ TEST(Skew, MovingAxesAreRefusedWhereACardUsesThem) {
     EXPECT_NE(skew.rule.find("/SKEW/MOV"), std::string::npos) << skew.rule;
     EXPECT_NE(skew.remedy.find("/SKEW/FIX"), std::string::npos) << skew.remedy;
     const Problem frame =
-        only(resolved(with_cards(moving + "/IMPVEL/9\nv\n" + ints({"1", "X", "", "", "3", "7"}))).problems);
+        only(resolved(with_cards(moving + "/IMPVEL/9\nv\n" + ints({"1", "X", "", "", "3", "7"}) + "\n")).problems);
     EXPECT_EQ(frame.field, "frame_ID");
     EXPECT_NE(frame.rule.find("/FRAME/NOD"), std::string::npos) << frame.rule;
     EXPECT_EQ(only(resolved(with_cards("/CLOAD/9\nf\n" + ints({"1", "Z", "44", "", "3"}))).problems).field, "skew_ID");
@@ -150,7 +150,7 @@ std::string without_main_node(const std::string& icog) {
            fmt::format("{:>20}{:>10}\n", "2.0", 31) + "/ADMAS/0/32\nb\n" + fmt::format("{:>20}{:>10}\n", "6.0", 32) +
            "/RBODY/9\nbody\n" +
            fmt::format("{:>10}{:>10}{:>10}{:>10}{:>20}{:>10}{:>10}{:>10}\n", "", 0, 0, 0, "8.0", 33, 0, icog) +
-           reals({"10.0", "20.0", "30.0"});
+           reals({"10.0", "20.0", "30.0"}) + "\n\n";
 }
 
 TEST(RigidBodyWithoutMainNode, GetsOneAtTheCentreOfMass) {
