@@ -50,6 +50,11 @@ struct RunSummary {
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(cycles, time, smallest_step, largest_step, wall_seconds);
+        size_t count = warnings.size();
+        archive(count);
+        warnings.resize(count);
+        for (std::string& warning : warnings)
+            archive(warning);
     }
 };
 
