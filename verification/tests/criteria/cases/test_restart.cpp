@@ -98,7 +98,7 @@ TEST_P(Restart, AtAnyOfTenCyclesOfEveryCaseGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Restart, Restart, testing::Values("reference", "optimized"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& p) { return std::string(p.param); });
 
 }  // namespace
 }  // namespace type21
