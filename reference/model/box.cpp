@@ -75,6 +75,18 @@ Vec3 read_point(Reading& reading, CardReader& reader, Id node, size_t line, std:
     return Vec3::Zero();
 }
 
+Mat3 axes_of(Reading& reading, CardReader& reader, Id skew, bool block) {
+    const std::string value = fmt::format("{}", skew);
+    if (!block) {
+        reader.error(1, "skew_ID", value, "a cylinder or sphere has no local axes", "Leave the field blank");
+    } else if (const auto other = reading.skews.refused.find(skew); other != reading.skews.refused.end()) {
+        reader.error(1, "skew_ID", value, other->second, "Give the axes as a /SKEW/FIX");
+    } else if (const int index = reading.reference(reader, 1, "skew_ID", skew, reading.skews, false); index >= 0) {
+        return reading.model.skews[static_cast<size_t>(index)].axes;
+    }
+    return Mat3::Identity();
+}
+
 void check_extent(CardReader& reader, const Box& box) {
     if (box.shape == Box::Shape::cylinder && box.first == box.second) {
         reader.error(-1, "", "", "the two points of a cylinder's axis are the same",
@@ -88,8 +100,10 @@ bool Box::contains(const Vec3& point) const {
     const double radius = 0.5 * diameter;
     if (shape == Shape::sphere) return (point - first).squaredNorm() <= radius * radius;
     if (shape == Shape::block) {
-        return (point.array() >= first.cwiseMin(second).array()).all() &&
-               (point.array() <= first.cwiseMax(second).array()).all();
+        const Vec3 to_point = axes.transpose() * (point - first);
+        const Vec3 diagonal = axes.transpose() * (second - first);
+        return (to_point.array() >= diagonal.cwiseMin(Vec3::Zero()).array()).all() &&
+               (to_point.array() <= diagonal.cwiseMax(Vec3::Zero()).array()).all();
     }
     const Vec3 axis = second - first;
     const double length = axis.squaredNorm();
@@ -106,10 +120,7 @@ Box read_box(Reading& reading, CardReader& reader, std::string_view type) {
     const Id node1 = reader.integer(1, 1, 10, "node_ID1");
     const Id node2 = sphere ? 0 : reader.integer(1, 11, 20, "node_ID2");
     const Tail tail = read_tail(reader, sphere ? 11 : 21, !block);
-    if (tail.skew != 0) {
-        reader.error(1, "skew_ID", fmt::format("{}", tail.skew), "a box in local axes is not supported",
-                     "Give a box along the global axes, or select the nodes otherwise");
-    }
+    if (tail.skew != 0) box.axes = axes_of(reading, reader, tail.skew, block);
     if (!sphere && (node1 == 0) != (node2 == 0)) {
         reader.error(1, node1 == 0 ? "node_ID1" : "node_ID2", "0", "the two points are given by two nodes or by none",
                      "Give both nodes, or neither and the coordinates");

@@ -88,6 +88,8 @@ std::vector<Selector::Clause> Selector::clauses(CardReader& reader) {
         } else if (all.empty()) {
             reader.error(static_cast<int>(line), "KEY_type", word, "a clause of a /SET begins with a word",
                          "Write NODE, PART, SHELL or another in columns 1 to 10, the ids behind it");
+            for (size_t rest = line; rest < reader.line_count(); ++rest)
+                reader.skip(rest, 1, 101);  // what they hold has no meaning any more
             return {};
         }
         for (; column <= 91; column += 10) {

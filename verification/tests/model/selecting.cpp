@@ -13,6 +13,7 @@ Selecting::Selecting(const std::string& starter) {
     reading_ = std::make_unique<Reading>(deck_, model, problems);
     read_begin(*reading_);
     check_keywords(*reading_);
+    read_skews(*reading_);
     read_functions(*reading_);
     read_materials(*reading_);
     read_mesh(*reading_);

@@ -18,13 +18,13 @@ std::string block_card(const std::string& id, const std::vector<std::string>& lo
 }
 
 TEST(Boxes, BordersBelongToThem) {
-    const Box block{Box::Shape::block, Vec3(1, 1, 1), Vec3(0, 0, 0), 0};
+    const Box block{Box::Shape::block, Vec3(1, 1, 1), Vec3(0, 0, 0), 0, Mat3::Identity()};
     EXPECT_TRUE(block.contains({1, 0, 0.5})) << "the corners may come in any order";
     EXPECT_FALSE(block.contains({1.0000001, 0, 0.5}));
-    const Box sphere{Box::Shape::sphere, Vec3(0, 0, 1), Vec3(0, 0, 0), 4};
+    const Box sphere{Box::Shape::sphere, Vec3(0, 0, 1), Vec3(0, 0, 0), 4, Mat3::Identity()};
     EXPECT_TRUE(sphere.contains({2, 0, 1}));
     EXPECT_FALSE(sphere.contains({2, 0, 1.001}));
-    const Box cylinder{Box::Shape::cylinder, Vec3(0, 0, 0), Vec3(0, 0, 10), 4};
+    const Box cylinder{Box::Shape::cylinder, Vec3(0, 0, 0), Vec3(0, 0, 10), 4, Mat3::Identity()};
     EXPECT_TRUE(cylinder.contains({2, 0, 10}));
     EXPECT_FALSE(cylinder.contains({2, 0, 10.001})) << "it ends with its axis";
     EXPECT_FALSE(cylinder.contains({2.001, 0, 5}));
@@ -66,6 +66,18 @@ TEST(Boxes, OfBoxes) {
     Selecting s(with_cards(boxes + list_card("/GRNOD/BOX/10", {"4"}) + list_card("/GRNOD/BOX/11", {"5"})));
     EXPECT_EQ(s.nodes(10), (Ids{2, 3, 4, 5}));
     EXPECT_EQ(s.nodes(11), (Ids{1, 2, 3, 4, 5}));
+    EXPECT_TRUE(s.problems.list().empty()) << all_of(s.problems);
+}
+
+TEST(Boxes, AlongASkew) {
+    // Y' = (1, 1, 0), Z' = z: X' = Y' x Z' = (1, -1, 0). The block is a square on its corner with the diagonal from
+    // node 1 to (20, 0, 0): node 2 lies in its middle, node 4 outside.
+    const std::string skew =
+        "/SKEW/FIX/12\ns\n" + reals({"0", "0", "0"}) + reals({"1", "1", "0"}) + reals({"0", "0", "1"});
+    const std::string box = "/BOX/RECTA/1\nb\n" + ints({"0", "0", "12"}) + reals({"0", "0", "-1"}) +
+                            reals({"20.000001", "0", "1"}) + list_card("/GRNOD/BOX/10", {"1"});
+    Selecting s(with_cards(skew + box));
+    EXPECT_EQ(s.nodes(10), (Ids{1, 2, 3, 5})) << "node 3, at (10, 10, 0), is a corner";
     EXPECT_TRUE(s.problems.list().empty()) << all_of(s.problems);
 }
 

@@ -24,7 +24,7 @@ std::string second_line(const std::vector<std::string>& numbers) {
 
 /// Node 2, at (10, 0, 0), after these cards; no problem allowed.
 Vec3 moved(const std::string& cards) {
-    const Resolved r = resolved(with_cards(list_card("/GRNOD/NODE/10", {"2"}) + cards));
+    const Selecting r(with_cards(list_card("/GRNOD/NODE/10", {"2"}) + cards));
     EXPECT_TRUE(r.problems.list().empty()) << all_of(r.problems);
     return r.model.nodes.position.at(1);
 }
