@@ -1,6 +1,6 @@
 """A flat tool that translates over fixed nodes: normal force, friction and heat, cycle by cycle, in plain loops.
 
-Formulation 6 to 9 and 11, written again from the text. With `built` the step of D25 and the conductance of D32 are used."""
+Chapters 6 to 9 and 11 of the formulation, written again from the text. With `built` the step of D25 and the conductance of D32 are used."""
 
 import math
 from dataclasses import dataclass, field

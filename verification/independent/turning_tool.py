@@ -1,4 +1,4 @@
-"""A tool of quads that translates and turns at given rates over fixed nodes, with Coulomb friction: Formulation 1, 3 to 8. Needs numpy."""
+"""A tool of quads that translates and turns at given rates over fixed nodes, with Coulomb friction: chapters 1 and 3 to 8 of the formulation. Needs numpy."""
 
 import numpy as np
 
