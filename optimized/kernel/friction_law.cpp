@@ -27,20 +27,16 @@ double renard(const std::array<double, 6>& c, double s) {
 std::vector<int> parts_of_nodes(const ContactModel& model, const Interface& interface,
                                 const std::vector<FrictionPair>& pairs) {
     const bool last_named = model.as_built.has(Departure::D42);
-    const auto skipped = [&](int part) {
-        return last_named && std::none_of(pairs.begin(), pairs.end(), [part](const FrictionPair& pair) {
-                   return pair.part_a == part || pair.part_b == part;
-               });
-    };
-    std::vector<char> skip;
-    for (int part = 0; part < static_cast<int>(model.parts.size()); ++part)
-        skip.push_back(skipped(part) ? 1 : 0);
+    std::vector<int> named;
+    for (const FrictionPair& pair : pairs)
+        named.insert(named.end(), {pair.part_a, pair.part_b});
+    std::sort(named.begin(), named.end());
     const auto& nodes = interface.secondary.node;
     std::vector<int> part(nodes.size(), -1);
     for (const Segment& segment : model.surfaces[static_cast<size_t>(interface.secondary_surface)].segments) {
         if (segment.shell < 0) continue;
         const int own = model.shells[static_cast<size_t>(segment.shell)].part;
-        if (skip[static_cast<size_t>(own)] != 0) continue;
+        if (last_named && !std::binary_search(named.begin(), named.end(), own)) continue;
         for (const int node : segment.node) {
             const auto rank = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
             int& kept = part[static_cast<size_t>(rank)];
@@ -78,9 +74,9 @@ double FrictionLaw::coefficient(const FrictionCoefficients& f, double p, double 
         default:
             return unbounded_ || f.fric * factor > 0 ? f.fric * factor : 0.0;
     }
-    constexpr double most = std::numeric_limits<double>::max();
-    if (drops_) return mu > 1e-30 ? std::min(mu, most) : 1e-30;
-    return mu < 1e-30 && mu >= -most ? 1e-30 : mu;
+    constexpr double greatest = std::numeric_limits<double>::max();
+    if (drops_) return mu > 1e-30 ? std::min(mu, greatest) : 1e-30;
+    return mu < 1e-30 && mu >= -greatest ? 1e-30 : mu;
 }
 
 int FrictionLaw::overflowing(const FrictionCoefficients& f, double s) const {

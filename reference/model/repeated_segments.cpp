@@ -72,6 +72,7 @@ std::vector<int> repeated_segments(const Surface& surface) {
     return repeated;
 }
 
+/// @manual field surf_IDs, surf_IDm; departure D41
 void note_repeated_segments(const CardValidator& validator, Model& model) {
     const Interface& it = validator.interface;
     if (it.secondary_surface >= 0)
