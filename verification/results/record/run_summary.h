@@ -60,6 +60,7 @@ struct RunSummary {
         list(warnings);
         list(totals);
         list(stage_counts);
+        list(sorted_search);  // its counts come with the next cycle
         list(memory);
         for (std::vector<EffectMemory>& of_interface : memory) {
             list(of_interface);
