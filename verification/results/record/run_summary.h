@@ -10,6 +10,7 @@
 
 #include "optimized/contact.h"
 #include "reference/host/march.h"
+#include "reference/host/saved_state.h"
 #include "verification/results/balance/balance.h"
 #include "verification/results/balance/contact_count.h"
 
@@ -46,15 +47,27 @@ struct RunSummary {
     std::vector<std::string> notes;  ///< what the run found beside its folder
 
     void observe(const CycleRecord& record);
-    /// What a restart takes over; the rest is set by the cycle that follows.
+    /// What a restart takes over. A run that goes on may stop in its first cycle, so it is all that a cycle sets.
     template <class Archive>
     void visit_state(Archive& archive) {
         archive(cycles, time, smallest_step, largest_step, wall_seconds);
-        size_t count = warnings.size();
-        archive(count);
-        warnings.resize(count);
-        for (std::string& warning : warnings)
-            archive(warning);
+        // Lists that a new object does not have yet: their sizes come first.
+        const auto list = [&archive](auto& entries) {
+            size_t count = entries.size();
+            archive(count);
+            entries.resize(count);
+        };
+        list(warnings);
+        list(totals);
+        list(stage_counts);
+        list(sorted_search);  // its counts come with the next cycle
+        list(memory);
+        for (std::vector<EffectMemory>& of_interface : memory) {
+            list(of_interface);
+            for (auto& [effect, bytes_per_node, report_bytes_per_node] : of_interface)
+                archive(effect, bytes_per_node, report_bytes_per_node);
+        }
+        archive(warnings, totals, stage_counts);
     }
 };
 
