@@ -65,6 +65,12 @@ TEST(Run, WritesHistoriesAndRunJson) {
         << outcome.err;  // ten of progress, and what the reader warns about
 }
 
+/// A CSV without its last line, which names the run.
+std::string rows_of(const fs::path& path) {
+    const std::string text = test::read_text(path);
+    return text.substr(0, text.rfind("# type21 "));
+}
+
 // @manual field Bumult
 TEST(Run, TheSortedSearchGivesTheHistoriesOfTheTreeAndSaysWhatItDid) {
     const DeckCopy tree("cylinder_slide"), sorted("cylinder_slide");
@@ -72,7 +78,7 @@ TEST(Run, TheSortedSearchGivesTheHistoriesOfTheTreeAndSaysWhatItDid) {
     const Outcome outcome = test::type21(run_line(sorted, "--with optimized --search sorted"));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     for (const char* file : {"interface_1.csv", "nodes.csv", "rbody.csv"})
-        EXPECT_EQ(test::read_text(fs::path(tree.out()) / file), test::read_text(fs::path(sorted.out()) / file)) << file;
+        EXPECT_EQ(rows_of(fs::path(tree.out()) / file), rows_of(fs::path(sorted.out()) / file)) << file;
     EXPECT_NE(outcome.out.find("margin 0.6256 mm (Bumult 0.2), sorted in 6 of 400 cycles"), std::string::npos);
     const auto search = run_json(sorted)["results"][0]["sorted_search"];
     EXPECT_EQ(search["bumult"], 0.2);

@@ -217,8 +217,10 @@ class Series(unittest.TestCase):
         deck = ROOT / f"cases/{CASE}/{CASE}_0000.rad"
         subprocess.run([TYPE21, "run", deck, "--out", folder, "--quiet", "--paraview"], check=True)
         (folder / "paraview/notes.txt").write_text("of the user")
-        subprocess.run([TYPE21, "run", deck, "--out", folder, "--quiet"], check=True)
-        self.assertEqual([path.name for path in (folder / "paraview").iterdir()], ["notes.txt"])
+        refused = subprocess.run([TYPE21, "run", deck, "--out", folder, "--quiet"], stderr=subprocess.PIPE, text=True)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("notes.txt", refused.stderr)
+        self.assertTrue(any((folder / "paraview").glob("*.pvd")), "the result of before stays")
         (folder / "paraview/notes.txt").unlink()
         subprocess.run([TYPE21, "run", deck, "--out", folder, "--quiet"], check=True)
         self.assertFalse((folder / "paraview").exists())
