@@ -52,7 +52,6 @@ std::vector<int> near_by_hand(const std::vector<Box>& boxes, const V3& y, double
     return found;
 }
 
-// @manual field Bumult
 TEST(CandidateLists, HaveEveryGrownBoxThatHoldsTheNode) {
     for (const double margin : {0.0, 0.01, 0.3, 5.0}) {
         const std::vector<Box> boxes = boxes_in_a_cube(400, 4, 0.5, 1);

@@ -131,7 +131,6 @@ Comparison march_both(const HostScene& scene) {
 class SortedSearch : public ::testing::TestWithParam<const char*> {};
 
 // Turning tools, a gap that grows, heat over a distance, nodes that begin inside, a mesh right above a mesh.
-// @manual field Bumult
 TEST_P(SortedSearch, GivesTheBitsOfTheTree) {
     long sorts = 0;
     for (const double bumult : {1e-9, 0.2, 0.4, 1e3}) {
