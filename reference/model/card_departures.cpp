@@ -112,7 +112,6 @@ double search_gap(const Interface& it, double raw, double /*gap*/) {
 
 /// As documented: Kthe is a conductance, also as the scale of fct_IDK. As built: with fct_IDK it is a pure number,
 /// which no unit changes.
-/// @manual departure D38
 void kthe_without_unit(const CardValidator& validator) {
     Interface& it = validator.interface;
     if (it.ithe == 0 || it.fct_idk == 0 || it.kthe == 0) return;

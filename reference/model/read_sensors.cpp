@@ -266,7 +266,6 @@ int sensor_reference(Reading& reading, CardReader& reader, size_t line, int firs
 
 /// Reads the sensors that something uses, with those that they look at, and puts them in order. Comes last: a sensor
 /// may look at nodes and interfaces.
-/// @manual comment 20
 void link_sensors(Reading& reading) {
     Model& model = reading.model;
     for (const Interface& interface : model.interfaces) {

@@ -88,7 +88,7 @@ TEST(FrictionLaw, AnOverflowIsNotAFloor) {
     EXPECT_EQ(overflowing_coefficient(1, {0.1, {0, 0, 0, 0, 1e-3, 0}}, 1e200), 4U);
 }
 
-// @manual field Fric, fct_IDF; comment 12; departure D39
+// @manual field Fric; comment 12; departure D39
 TEST(FrictionLaw, CoulombIsNotNegative) {
     EXPECT_EQ(friction_coefficient(0, {-0.05, {}}, 10, 10), 0.0);
     EXPECT_EQ(as_built::friction_coefficient({false, true, false}, 0, {-0.05, {}}, 10, 10), -0.05);

@@ -46,7 +46,7 @@ TEST(NodalNormals, ThatCancelAreZeroAndNotNaN) {
 // A flat quad and a triangle that stands on its edge: the normal of the edge leans by atan(1/2) = 26.6 degrees. With
 // the triangle listed a second time, from the other side even, it stays; where none is noted (D41) it leans by
 // atan(2/2).
-// @manual field surf_IDm; departure D41
+// @manual field surf_IDm
 TEST(ToolSurface, ARepeatedSegmentCountsOnceInTheNormals) {
     const SurfaceMesh tool{{{-9, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-9, 1, 0}, {0, 0.5, 1}},
                            {{0, 1, 2, 3}, {1, 2, 4, 4}, {1, 2, 4, 4}}};

@@ -53,7 +53,6 @@ double limit_of(const SceneBuilder& small, const NodeHeat& heat, double scale = 
 
 // Sheet: B_i of a square of side 2 has the length 1/sqrt(8): K_11 = 40 * 4 / 8 = 20 = -K_13, K_12 = 0, so that G = 20.
 // Contact: A Kthe = 80, or what it conducts now.
-// @manual field Kthe, Ithe_form, Frad
 TEST(ThermalLimit, OfContactToolAndSheet) {
     EXPECT_NEAR(limit_of(warm_square(0), {}), 0.9 * 0.1 / 20, 1e-15) << "the sheet alone";
     EXPECT_NEAR(limit_of(warm_square(), {}), 0.9 * 0.1 / (80 + 20), 1e-15) << "a node that may touch";
@@ -89,7 +88,6 @@ TEST(ThermalLimit, IsStableBeyondTheOwnStep) {
 }
 
 // f_K runs from 1 to 3: pressed as hard as its table knows, the node conducts A Kthe 3.
-// @manual field fct_IDK
 TEST(ThermalLimit, CountsTheHighestPointOfTheFunctionOfPressure) {
     SceneBuilder small = warm_square();
     small.card().function_conduction = static_cast<int>(small.model().functions.size());
@@ -154,7 +152,6 @@ ImposedTemperature imposed(SceneBuilder& small, double value) {
     return condition;
 }
 
-// @manual field Ithe, Frad
 TEST(EffectChecks, BelowAbsoluteZeroStopsTheRun) {
     SceneBuilder small = warm_square();
     HostState state(small.model());
@@ -212,7 +209,7 @@ TEST(March, AFrictionLawThatOverflowsStopsTheRun) {
     EXPECT_NO_THROW(march(small.scene(), contact_of_reference, [](const CycleRecord&) {})) << "the term is 0";
 }
 
-// @manual field fct_IDF; comment 12; departure D39
+// @manual field fct_IDF; departure D39
 TEST(FrictionReport, FrictionBelowZeroIsOneWarning) {
     SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}});
     Model& model = small.model();

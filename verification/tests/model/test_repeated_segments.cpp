@@ -36,7 +36,7 @@ Model with_a_triple() {
 
 // Quads of 100 mm^2: 25 at node 0. Listed three times and counted each time (D41): 75. Half of the mean thickness of
 // the four quads, 1.0, 1.4, 1.0, 1.4 mm: 0.6; with the two more of 1.0 mm 0.5667.
-// @manual field surf_IDs; comment 5; departure D41
+// @manual field surf_IDs; departure D41
 TEST(RepeatedSegments, CountOnceInAreasAndInTheMeanThickness) {
     Problems problems;
     Model model = with_a_triple();

@@ -97,7 +97,7 @@ TEST(OptimizedLaws, CoefficientsOfPressureAndSpeed) {
 }
 
 // Terms with the coefficient 0 are 0, also beside an exponential or a square beyond double; D43: the least coefficient.
-// @manual eq 9, 10, 11; field Ifric, C1, C2; comment 13; departure D10, D39, D43
+// @manual eq 9, 10, 11; field Ifric; comment 13; departure D10, D39, D43
 TEST(OptimizedLaws, ATermWithoutCoefficientIsNothing) {
     const FrictionLaw law_2(2, page), built_2(2, with(Departure::D43)), law_4(4, page),
         built_4(4, with(Departure::D43));

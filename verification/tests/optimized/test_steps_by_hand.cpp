@@ -269,7 +269,7 @@ TEST(OptimizedSteps, FrictionBelowZero) {
 }
 
 // e^(C2 s) with C2 s = 1000 is no double: C1 0.1 makes mu infinite, and the step names C2 and the speed.
-// @manual eq 11; field C1, C2; comment 13; departure D43
+// @manual eq 11; comment 13; departure D43
 TEST(OptimizedSteps, AFrictionLawThatOverflowsIsNamed) {
     for (const bool d43 : {false, true}) {
         SceneBuilder small = over_a_square({{0.2, 0.1, 0.3}, {0.3, 0.1, 0.3}});
@@ -370,7 +370,7 @@ TEST(OptimizedSteps, DamprUsesTheInertiaAboutTheAxisOfTheTurn) {
 
 // A flat quad with a triangle that stands on its edge, listed twice: the normal of the edge leans by atan(1/2), where
 // the second is not noted (D41) by atan(2/2).
-// @manual field surf_IDm; departure D41
+// @manual field surf_IDm
 TEST(OptimizedSteps, ARepeatedSegmentCountsOnceInTheNormals) {
     for (const bool noted : {true, false}) {
         SceneBuilder small = test::small_scene(
