@@ -53,8 +53,8 @@ struct CardReading {
 /// The one place where the departures of the card are put in.
 CardReading card_reading(const AsBuilt& as_built);
 
-/// Puts the values in place that the public program takes for those of the card (D02, D03, D09, D20, D36, D38), before any
-/// default; each says so in its origin. Nothing changes without these departures.
+/// Puts the values in place that the public program takes for those of the card (D02, D03, D09, D20, D36, D38), before
+/// any default; each says so in its origin. Nothing changes without these departures.
 void take_as_built_values(const CardValidator& validator);
 
 }  // namespace type21

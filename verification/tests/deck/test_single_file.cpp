@@ -14,7 +14,6 @@ using test::find_rule;
 using test::keywords_of;
 using test::TempFolder;
 
-
 const std::vector<std::string> starter_cards{"/BEGIN", "/PART/1"};
 const std::vector<std::string> engine_cards{"/VERS/2025", "/RUN/one/1"};
 

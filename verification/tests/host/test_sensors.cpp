@@ -193,8 +193,9 @@ std::vector<Cycle> run(const SceneBuilder& small, const MakeContact& make) {
 // The history waits: the friction force of cycle 10 goes on from that of cycle 9. Both implementations.
 // @manual field sens_ID; comment 20
 TEST(Sensors, TheHistoryWaitsWhileAnInterfaceIsOff) {
-    const std::vector<MakeContact> both{[](const Scene& scene, int i) { return type21::reference::make_contact(scene, i); },
-                                        [](const Scene& scene, int i) { return type21::optimized::make_contact(scene, i); }};
+    const std::vector<MakeContact> both{
+        [](const Scene& scene, int i) { return type21::reference::make_contact(scene, i); },
+        [](const Scene& scene, int i) { return type21::optimized::make_contact(scene, i); }};
     for (const MakeContact& make : both) {
         const std::vector<Cycle> cycles = run(interrupted(), make);
         ASSERT_EQ(cycles.size(), 30U);
