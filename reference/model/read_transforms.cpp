@@ -102,7 +102,7 @@ Affine scaling(Reading& reading, CardReader& reader) {
 Affine matrix(CardReader& reader) {
     Affine map;
     for (int row = 0; row < 3; ++row) {
-        const auto line = static_cast<size_t>(2 + row);
+        const size_t line = 2 + static_cast<size_t>(row);
         for (int column = 0; column < 3; ++column) {
             const int first = 1 + 20 * column;
             map.linear(row, column) =

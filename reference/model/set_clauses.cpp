@@ -79,7 +79,7 @@ std::vector<Selector::Clause> Selector::clauses(CardReader& reader) {
             }
             const bool odd = letters.find_first_not_of("DIGAE_ ") != std::string::npos;
             if (!known(word) || odd || (clause.range && (word == "SEG" || word == "ALL"))) {
-                reader.error(static_cast<int>(line), "KEY_type", odd ? written + " " + options : written,
+                reader.error(static_cast<int>(line), "KEY_type", odd ? fmt::format("{} {}", written, options) : written,
                              "this clause of a /SET is not supported",
                              fmt::format("Use one of {}, with _G for ranges and _D to take away",
                                          fmt::join(clause_types, ", ")));

@@ -92,7 +92,8 @@ double wall_thickness(const Face& front, const Face& back) {
     const double depth = (back.middle - front.middle).dot(back.normal) / -facing;
     if (depth < 0) return none;
     const Vec3 hit = front.middle - depth * front.normal;
-    return (hit - back.middle).norm() <= back.radius ? depth : none;
+    if ((hit - back.middle).norm() > back.radius) return none;
+    return depth;
 }
 
 ThinWall thin_wall(const std::vector<Face>& faces, double reach) {

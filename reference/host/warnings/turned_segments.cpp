@@ -93,6 +93,7 @@ void warn_of_turned_segments(const SurpriseCheck& check) {
         std::string which = "a band of segments with one side only";
         if (!turned.empty()) {
             std::vector<Id> ranks;
+            ranks.reserve(turned.size());
             for (const int segment : turned)
                 ranks.push_back(segment + 1);
             which = fmt::format("{} of {} segments: no. {}; the first has the nodes {}", turned.size(),
