@@ -13,7 +13,7 @@ namespace type21 {
 
 /// Reads the text of one deck, includes in their place, into cards.
 ///   /END            ends the deck; in an included file that file alone
-///   #enddata        ends the file that it stands in
+///   "#enddata"      ends the file that it stands in
 ///   /BEGIN          of an included file is not read, but within //SUBMODEL ... //ENDSUB
 ///   /END/ENGINE     ends the engine input. In one file with both inputs the engine's comes first, up to /END/ENGINE or
 ///                   /BEGIN, or behind the starter's /END
@@ -27,7 +27,7 @@ class CardCollector {
     void read_engine(const std::string& path);
 
     bool readable() const { return readable_; }  ///< a file was found and is text
-    bool ended() const { return ended_; }        ///< by /END or #enddata, or by force
+    bool ended() const { return ended_; }        ///< by /END or "#enddata", or by force
     bool empty() const { return empty_; }        ///< neither a keyword nor data were met
     /// Of the last line read.
     Place last_place() const { return last_.number > 0 ? deck_.place(last_) : Place{}; }

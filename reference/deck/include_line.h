@@ -8,7 +8,7 @@
 
 namespace type21 {
 
-/// What an #include line may name, most likely first: the text in quotes, or all of the line, or what stands before a
+/// What an "#include" line may name, most likely first: the text in quotes, or all of the line, or what stands before a
 /// comment at its end. An empty name is "". None when the line is another comment.
 /// @param text a line that begins with '#'
 std::optional<std::vector<std::string>> included_names(std::string_view text);

@@ -21,7 +21,7 @@ inline constexpr std::size_t max_bytes = std::size_t{2} << 30;
 struct TextFile {
     std::vector<std::shared_ptr<const std::string>> pieces;
     std::size_t size = 0;  ///< bytes of all pieces
-    char line_end = '\n';  ///< '\r' in a file of an old Macintosh editor
+    char line_end = '\n';  ///< a carriage return in a file of an old Macintosh editor
 };
 
 /// The lines of a file one after the other.
