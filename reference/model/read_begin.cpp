@@ -113,7 +113,7 @@ std::string begin_text(const Card& card) {
     std::string text;
     for (size_t line = 1; line < std::min<size_t>(4, card.lines.size()); ++line) {
         for (const char c : upper(card.lines[line].text()))
-            if (c != ' ' || text.back() != ' ') text += c;
+            if (c != ' ' || !text.ends_with(' ')) text += c;
         text += ' ';
     }
     return text;
