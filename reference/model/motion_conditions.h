@@ -1,7 +1,9 @@
 /// @file What drives the nodes of a scene: boundary conditions, imposed motion, loads, masses, temperatures.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reference/contract/mesh.h"
@@ -15,6 +17,9 @@ struct Skew {
     Vec3 origin = Vec3::Zero();    ///< [length]
     Mat3 axes = Mat3::Identity();  ///< columns X', Y', Z': orthonormal, right-handed, in global axes
 };
+
+/// Words of the degrees of freedom 0..5: translations, rotations.
+inline constexpr std::array<std::string_view, 6> direction_names{"X", "Y", "Z", "XX", "YY", "ZZ"};
 
 /// Degrees of freedom 0..5: translations X Y Z, rotations XX YY ZZ.
 struct BoundaryCondition {

@@ -161,9 +161,8 @@ std::vector<ListedId> listed_ids(CardReader& reader, size_t first_line, std::str
 
 int direction(CardReader& reader, size_t line, int first, int last) {
     const std::string word = upper(reader.text(line, first, last));
-    constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "XX", "YY", "ZZ"};
-    for (size_t i = 0; i < names.size(); ++i) {
-        if (word == names[i]) return static_cast<int>(i);
+    for (size_t i = 0; i < direction_names.size(); ++i) {
+        if (word == direction_names[i]) return static_cast<int>(i);
     }
     reader.error(static_cast<int>(line), "Dir", word, "the direction is one of X, Y, Z, XX, YY, ZZ",
                  fmt::format("Write it in columns {} to {}", first, last));

@@ -1,6 +1,5 @@
 /// @file Two cards that drive one freedom of one node, and drives of nodes that a rigid body moves.
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -13,8 +12,6 @@
 
 namespace type21 {
 namespace {
-
-constexpr std::array<std::string_view, 6> names{"X", "Y", "Z", "XX", "YY", "ZZ"};
 
 size_t at(int index) {
     return static_cast<size_t>(index);
@@ -43,14 +40,14 @@ class Drives {
     void report() const {
         for (const auto& [who, clash] : clashes_) {
             const auto& [first, second, direction] = who;
-            check_.at_card(
-                keyword(second), id(second), "Dir",
-                fmt::format("{} of node {}{}", names[at(direction)], check_.model.nodes.id[at(clash.first_node)],
-                            clash.nodes > 1 ? fmt::format(" and {} more", clash.nodes - 1) : ""),
-                fmt::format("is driven by /{}/{} too: of two drives of one freedom the later imposed motion "
-                            "in the deck alone acts",
-                            keyword(first), id(first)),
-                "Remove one of the two, or take the nodes out of one group");
+            check_.at_card(keyword(second), id(second), "Dir",
+                           fmt::format("{} of node {}{}", direction_names[at(direction)],
+                                       check_.model.nodes.id[at(clash.first_node)],
+                                       clash.nodes > 1 ? fmt::format(" and {} more", clash.nodes - 1) : ""),
+                           fmt::format("is driven by /{}/{} too: of two drives of one freedom the later imposed motion "
+                                       "in the deck alone acts",
+                                       keyword(first), id(first)),
+                           "Remove one of the two, or take the nodes out of one group");
         }
     }
 
