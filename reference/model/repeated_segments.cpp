@@ -10,14 +10,6 @@ namespace type21 {
 
 namespace {
 
-/// Equal for segments with the same nodes; a triangle has -1 in place of the repeated one.
-std::array<int, 4> sorted_nodes(const Segment& segment) {
-    std::array<int, 4> nodes = segment.node;
-    if (segment.is_triangle()) nodes[3] = -1;
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
-}
-
 void note(const CardValidator& validator, Surface& surface, std::string_view field, std::string_view what) {
     const std::vector<int> repeated = repeated_segments(surface);
     if (repeated.empty()) return;
@@ -36,6 +28,13 @@ void note(const CardValidator& validator, Surface& surface, std::string_view fie
 }
 
 }  // namespace
+
+std::array<int, 4> sorted_nodes(const Segment& segment) {
+    std::array<int, 4> nodes = segment.node;
+    if (segment.is_triangle()) nodes[3] = -1;
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+}
 
 std::vector<int> repeated_segments(const Surface& surface) {
     // Segments side by side by their lowest node: those with equal nodes are then close together.

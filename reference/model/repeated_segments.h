@@ -1,9 +1,15 @@
 /// @file Segments that a surface holds more than once.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "reference/model/card_validator.h"
 
 namespace type21 {
+
+/// Equal for segments with the same nodes, in whatever order; a triangle has -1 in place of the repeated one.
+std::array<int, 4> sorted_nodes(const Segment& segment);
 
 /// Ranks, ascending, of the segments with the nodes of an earlier one, in whatever order. Linear in their number.
 std::vector<int> repeated_segments(const Surface& surface);

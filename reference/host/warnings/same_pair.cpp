@@ -8,27 +8,23 @@
 
 #include "reference/host/warnings/warnings.h"
 #include "reference/model/card_validator.h"
+#include "reference/model/repeated_segments.h"
 
 namespace type21 {
 namespace {
 
-using Corners = std::array<int, 4>;
-
-/// The segments of a surface, whatever node each begins with, sorted.
-std::vector<Corners> sorted_segments(const Surface& surface) {
-    std::vector<Corners> segments;
+/// The nodes of the segments of a surface, whatever node each begins with, sorted.
+std::vector<std::array<int, 4>> sorted_segments(const Surface& surface) {
+    std::vector<std::array<int, 4>> segments;
     segments.reserve(surface.segments.size());
-    for (const Segment& segment : surface.segments) {
-        Corners corners = segment.node;
-        std::sort(corners.begin(), corners.end());
-        segments.push_back(corners);
-    }
+    for (const Segment& segment : surface.segments)
+        segments.push_back(sorted_nodes(segment));
     std::sort(segments.begin(), segments.end());
     return segments;
 }
 
 std::size_t shared_segments(const Surface& a, const Surface& b) {
-    std::vector<Corners> shared;
+    std::vector<std::array<int, 4>> shared;
     const auto first = sorted_segments(a);
     const auto second = sorted_segments(b);
     std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(shared));
