@@ -4,39 +4,18 @@
 
 #include <fmt/format.h>
 
+#include "reference/deck/utf8.h"
+
 namespace type21 {
 
 namespace {
-
-struct Character {
-    std::size_t bytes = 1;
-    char32_t code = 0;
-    bool valid = false;
-};
-
-/// The character at the beginning of a text that is not empty.
-Character first_character(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {1, lead, true};
-    const std::size_t bytes = lead >= 0xF0 && lead < 0xF5 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC2 ? 2 : 0;
-    if (bytes == 0 || lead >= 0xF5 || text.size() < bytes) return {};
-    char32_t code = lead & (0x7FU >> bytes);
-    for (std::size_t i = 1; i < bytes; ++i) {
-        const auto next = static_cast<unsigned char>(text[i]);
-        if ((next & 0xC0U) != 0x80U) return {};
-        code = (code << 6U) | (next & 0x3FU);
-    }
-    const bool overlong = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
-    if (overlong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return {};
-    return {bytes, code, true};
-}
 
 bool steers(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || code == 0x2028 ||
            code == 0x2029 || (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-std::string written_out(const Character& character, unsigned char byte) {
+std::string written_out(const Utf8Character& character, unsigned char byte) {
     if (!character.valid || character.code < 0x100) {
         if (character.code == '\n') return "\\n";
         if (character.code == '\r') return "\\r";
@@ -53,7 +32,7 @@ std::string printable(std::string_view text) {
     if (plain) return std::string(text);
     std::string out;
     while (!text.empty()) {
-        const Character character = first_character(text);
+        const Utf8Character character = first_character(text);
         if (character.valid && !steers(character.code)) {
             out += text.substr(0, character.bytes);
         } else {
