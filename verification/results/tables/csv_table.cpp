@@ -178,15 +178,7 @@ CsvTable read_csv(const std::filesystem::path& path, const CsvReading& reading) 
 
 CsvTable filtered(const CsvTable& table, const TimeWindow& window, const std::vector<Id>& objects) {
     CsvTable out;
-    out.file = table.file;
-    out.has_object = table.has_object;
-    out.object_name = table.object_name;
-    out.columns = table.columns;
-    out.rounding = table.rounding;
-    out.rounded_to = table.rounded_to;
-    out.time_unit = table.time_unit;
-    out.units = table.units;
-    out.notes = table.notes;
+    static_cast<CsvHeading&>(out) = table;
     out.values.resize(table.columns.size());
     for (size_t row = 0; row < table.rows(); ++row) {
         if (table.time[row] < window.from || table.time[row] > window.until) continue;

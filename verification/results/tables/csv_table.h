@@ -12,20 +12,24 @@
 
 namespace type21 {
 
-/// A history: `time` first, then maybe `node`, `rbody` or `element`, then values.
-struct CsvTable {
+/// What a table says of itself, apart from its rows.
+struct CsvHeading {
     std::string file;
-    bool has_object = false;                  ///< a second column names nodes, bodies or elements
-    std::string object_name{};                ///< of that column: "node", "rbody" or "element"; empty without it
-    std::vector<std::string> columns;         ///< the value columns, without their units
-    std::vector<double> time;                 ///< per row
-    std::vector<Id> object;                   ///< per row; empty without has_object
-    std::vector<std::vector<double>> values;  ///< per column, per row
+    bool has_object = false;           ///< a second column names nodes, bodies or elements
+    std::string object_name{};         ///< of that column: "node", "rbody" or "element"; empty without it
+    std::vector<std::string> columns;  ///< the value columns, without their units
     double rounding = 0;  ///< relative, of times and values: that of floats, or of digits that were not printed; else 0
     std::string rounded_to{};          ///< where that comes from: "7 digits", "single precision"; empty without it
     std::string time_unit{};           ///< that the header names: "ms" of `time [ms]`; else empty
     std::vector<std::string> units{};  ///< per column, likewise; empty where no header has one
     std::vector<std::string> notes{};  ///< what was understood beyond a plain CSV: "decimal commas", ...
+};
+
+/// A history: `time` first, then maybe `node`, `rbody` or `element`, then values.
+struct CsvTable : CsvHeading {
+    std::vector<double> time;                 ///< per row
+    std::vector<Id> object;                   ///< per row; empty without has_object
+    std::vector<std::vector<double>> values;  ///< per column, per row
 
     size_t rows() const { return time.size(); }
     std::optional<size_t> column(const std::string& name) const;
