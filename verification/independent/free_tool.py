@@ -2,7 +2,7 @@
 
 import math
 
-from scene import Scene, cross, dot, length, minus
+from scene import Scene, cross, dot, length, minus, offset_step
 
 
 def spin(deck, axis, inertia, used, dampr, cycles, step, force, moment=0.0, built=False):
@@ -30,12 +30,7 @@ def spin(deck, axis, inertia, used, dampr, cycles, step, force, moment=0.0, buil
             if penetration <= 0:
                 own[:] = [0.0, 0]
                 continue
-            begins = own[1] == 0 and cycle > 0
-            if begins:
-                own[0] = penetration
-            own[1] += 1
-            own[0] = min(own[0], 0.95 * own[0] + 0.05 * penetration)
-            p = max(0.0, penetration - own[0])
+            p, begins = offset_step(own, penetration, cycle)
             stiff = k if p > 0 or begins else 0.0
             point = [r[a] - distance * nu[a] for a in range(3)]
             turning = cross(e, point)

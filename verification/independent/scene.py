@@ -34,6 +34,16 @@ def length(a):
     return dot(a, a) ** 0.5
 
 
+def offset_step(own, penetration, cycle):
+    """Chapter 6: [P0, cycles of contact] of a node takes up this cycle; the penetration left, and whether a contact begins."""
+    begins = own[1] == 0 and cycle > 0
+    if begins:
+        own[0] = penetration
+    own[1] += 1
+    own[0] = min(own[0], 0.95 * own[0] + 0.05 * penetration)
+    return max(0.0, penetration - own[0]), begins
+
+
 class Scene:
     """Parts below 100 are the blank, the others the tool."""
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from scene import Scene
+from scene import Scene, offset_step
 
 
 def turned(w):
@@ -97,12 +97,7 @@ def impulses(deck, cycles, step, mu, velocity, spin, older_orientation=False, th
             if penetration <= 0:
                 own[:], friction[node] = [0.0, 0], np.zeros(3)
                 continue
-            begins = own[1] == 0 and cycle > 0
-            if begins:
-                own[0] = penetration
-            own[1] += 1
-            own[0] = min(own[0], 0.95 * own[0] + 0.05 * penetration)
-            p = max(0.0, penetration - own[0])
+            p, begins = offset_step(own, penetration, cycle)
             stiff = k if p > 0 or begins else 0.0
             nu, arm = pose @ found[1], pose @ found[2]
             relative = -(v + np.cross(w, arm))

@@ -39,16 +39,19 @@ SceneBuilder warm_square(double kthe = 20) {
     return small;
 }
 
-/// The limit for contact of the first blank node, at the weights 1/2, 1/4, 1/4 of the first sub-triangle.
-double limit_of(const SceneBuilder& small, const NodeHeat& heat, double scale = 0.9) {
-    HostState state(small.model());
+/// Contact of the first blank node, at the weights 1/2, 1/4, 1/4 of the first sub-triangle.
+ContactStep touching(const NodeHeat& heat) {
     ContactStep step;
     step.active = true;
     step.nodes.resize(4);
     step.nodes[0].decision = {Kind::contact, 0, 1, 1, 0.25, 0.25, Stage::bounded};
     step.heat.resize(4);
     step.heat[0] = heat;
-    return ThermalLimit(small.model())(state, {step}, scale).step;
+    return step;
+}
+
+double limit_of(const SceneBuilder& small, const NodeHeat& heat, double scale = 0.9) {
+    return ThermalLimit(small.model())(HostState(small.model()), {touching(heat)}, scale).step;
 }
 
 // Sheet: B_i of a square of side 2 has the length 1/sqrt(8): K_11 = 40 * 4 / 8 = 20 = -K_13, K_12 = 0, so that G = 20.
@@ -70,14 +73,7 @@ TEST(ThermalLimit, OfContactToolAndSheet) {
 TEST(ThermalLimit, IsStableBeyondTheOwnStep) {
     const auto stable = [](SceneBuilder small, const NodeHeat& heat) {
         small.model().materials[0].heat->conductivity_a = 0;
-        HostState state(small.model());
-        ContactStep step;
-        step.active = true;
-        step.nodes.resize(4);
-        step.nodes[0].decision = {Kind::contact, 0, 1, 1, 0.25, 0.25, Stage::bounded};
-        step.heat.resize(4);
-        step.heat[0] = heat;
-        return ThermalLimit(small.model())(state, {step}, 0.9).stable;
+        return ThermalLimit(small.model())(HostState(small.model()), {touching(heat)}, 0.9).stable;
     };
     EXPECT_NEAR(stable(warm_square(), {0, 0, 60, 0}), 2 * 0.1 / 60, 1e-15);
     EXPECT_NEAR(stable(warm_square(), {0, 0, 40, 20}), 2 * 0.1 / 60, 1e-15) << "radiation, too";
