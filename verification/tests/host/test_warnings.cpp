@@ -175,6 +175,19 @@ TEST(SamePairs, AreNamedWithTheOtherInterface) {
     expect_silent(press);
 }
 
+TEST(SamePairs, ATriangleMayBeginWithAnyOfItsNodes) {
+    PressDeck press;
+    press.more_nodes =
+        "       401               100.0                 0.0                 2.0\n"
+        "       402               112.0                 0.0                 2.0\n"
+        "       403               112.0                12.0                 2.0\n";
+    press.more_shells = "       401       401       402       403       403\n";
+    press.cards =
+        "/SURF/SEG/3\nthe triangle\n         1       402       403       401       401\n"
+        "/INTER/TYPE21/2\nagain\n         1         3\n\n\n\n\n\n\n\n\n\n\n         7\n";
+    EXPECT_SAYS(the_warning(press).value, "9 nodes, the first 1, and 1 segment");
+}
+
 TEST(ImplausibleValues, DensityThicknessAndFriction) {
     PressDeck press;
     press.density = "7.8";
